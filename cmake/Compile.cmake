@@ -1,0 +1,11 @@
+# Flags every target of the project shares. No fast-math and no contraction: the reference must give
+# the same bits for the same build, and agree with the GLSL build of the same files.
+set(CMAKE_CXX_FLAGS_RELEASE "-O3")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O3 -g")
+
+function(himalaya_compile target)
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Werror
+    -fno-math-errno -fno-trapping-math -ffp-contract=off)
+endfunction()

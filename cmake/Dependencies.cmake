@@ -1,0 +1,15 @@
+# Libraries outside of what this project is about. All are packages of the running distribution
+# (scripts/install-deps.sh); nothing is downloaded while configuring.
+find_package(glm REQUIRED)
+find_package(fmt REQUIRED)
+find_package(TBB REQUIRED)
+find_package(simdjson REQUIRED)
+find_package(OpenEXR REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(tl-expected REQUIRED)
+find_package(PkgConfig REQUIRED)
+find_package(JPEG REQUIRED)
+pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
+if(HIMALAYA_TESTS)
+  find_package(GTest REQUIRED)
+endif()

@@ -1,0 +1,15 @@
+include(GoogleTest)
+
+# himalaya_test(NAME SOURCES files... LIBS targets... [LABEL unit|stat|gpu|image|corpus])
+# One GoogleTest binary; each of its tests becomes a ctest entry under the label (default: unit).
+function(himalaya_test name)
+  cmake_parse_arguments(T "" "LABEL" "SOURCES;LIBS" ${ARGN})
+  if(NOT T_LABEL)
+    set(T_LABEL unit)
+  endif()
+  add_executable(${name} ${T_SOURCES})
+  himalaya_compile(${name})
+  target_link_libraries(${name} PRIVATE ${T_LIBS} GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS ${T_LABEL} ENVIRONMENT "HIMALAYA_SOURCE_DIR=${PROJECT_SOURCE_DIR}")
+endfunction()

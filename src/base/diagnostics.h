@@ -1,0 +1,28 @@
+// Warnings gathered while input is read. The same warning at many places is kept once with a count.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace hm {
+
+struct Warning {
+    std::string file;
+    std::string place;  // where it was seen first: a JSON pointer or empty
+    std::string message;
+    std::size_t count = 1;
+
+    std::string line() const;  // "file: place: message (3 times)"; control characters escaped
+};
+
+class Diagnostics {
+  public:
+    void warn(std::string file, std::string place, std::string message);
+    const std::vector<Warning>& warnings() const { return warnings_; }
+
+  private:
+    std::vector<Warning> warnings_;
+};
+
+}  // namespace hm

@@ -1,0 +1,14 @@
+#include "scene/scene.h"
+
+namespace hm {
+
+std::vector<glm::mat4> world_transforms(const Scene& scene) {
+    std::vector<glm::mat4> world;
+    world.reserve(scene.nodes.size());
+    for (const Node& node : scene.nodes)
+        world.push_back(node.parent == kUnset ? node.local
+                                              : world[std::size_t(node.parent)] * node.local);
+    return world;
+}
+
+}  // namespace hm

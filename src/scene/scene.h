@@ -1,0 +1,104 @@
+// A scene as people think of it: what a glTF file describes, checked and decoded, not yet turned
+// into the tables that rendering reads (scene/flatten does that).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "shading/structs.h"
+
+namespace hm {
+
+inline constexpr int kUnset = -1;
+
+// One material slot's texture. Images are shared between slots by index.
+struct TextureSlot {
+    int image = kUnset;  // into Scene::images
+    std::uint32_t wrap_u = kWrapRepeat;
+    std::uint32_t wrap_v = kWrapRepeat;
+    std::uint32_t filter_mode = kFilterLinear;
+    std::uint32_t uv_set = 0;
+    vec3 uv_row_u{1, 0, 0};  // KHR_texture_transform as a 2x3 matrix
+    vec3 uv_row_v{0, 1, 0};
+};
+
+struct Material {
+    std::string name;
+    vec4 base_color{1, 1, 1, 1};
+    float metallic = 1;
+    float roughness = 1;
+    vec3 emissive{0, 0, 0};  // strength included
+    float normal_scale = 1;
+    float occlusion_strength = 1;
+    float specular_weight = 1;
+    float alpha_cutoff = 0.5f;
+    std::uint32_t alpha_mode = kAlphaOpaque;
+    bool double_sided = false;
+    bool unlit = false;
+    TextureSlot base_color_texture;
+    TextureSlot metallic_roughness_texture;
+    TextureSlot normal_texture;
+    TextureSlot occlusion_texture;
+    TextureSlot emissive_texture;
+};
+
+// Triangles of one material. Without normals it is shaded flat; `tangent` is read only with
+// has_tangents; `extras` is empty or as long as `vertices` (uv1 zero, colour one where absent).
+struct Primitive {
+    std::vector<Vertex> vertices;
+    std::vector<VertexExtra> extras;
+    std::vector<uvec3> triangles;
+    int material = kUnset;  // kUnset: glTF's default material
+    bool has_normals = false;
+    bool has_tangents = false;
+};
+
+struct Mesh {
+    std::string name;
+    std::vector<Primitive> primitives;
+};
+
+struct Camera {
+    std::string name;
+    bool perspective = true;
+    float yfov = 0.8f;        // radians
+    float aspect_ratio = 0;   // 0: the picture's
+    float xmag = 1, ymag = 1;  // orthographic half extents, metres
+};
+
+struct Light {
+    std::string name;
+    std::uint32_t kind = kLightPoint;
+    vec3 color{1, 1, 1};
+    float intensity = 1;
+    float range = 0;  // 0: no limit
+    float inner_cone = 0;
+    float outer_cone = 0.7853981634f;
+};
+
+// Parents stand before their children, so one pass over the array computes world transforms.
+struct Node {
+    std::string name;
+    int parent = kUnset;
+    glm::mat4 local{1};
+    int mesh = kUnset;
+    int camera = kUnset;
+    int light = kUnset;
+};
+
+struct Scene {
+    std::string file;  // for messages
+    std::vector<Node> nodes;  // of the chosen scene only
+    std::vector<Mesh> meshes;
+    std::vector<Material> materials;
+    std::vector<Image> images;  // rgba8 or rgba16, encoded as stored
+    std::vector<Camera> cameras;
+    std::vector<Light> lights;
+};
+
+// World transform of each node.
+std::vector<glm::mat4> world_transforms(const Scene& scene);
+
+}  // namespace hm
