@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace hm {
@@ -16,6 +17,7 @@ struct Warning {
     std::string line() const;  // "file: place: message (3 times)"; control characters escaped
 };
 
+// In the order of their first appearance. Not for several threads at once.
 class Diagnostics {
   public:
     void warn(std::string file, std::string place, std::string message);
@@ -23,6 +25,7 @@ class Diagnostics {
 
   private:
     std::vector<Warning> warnings_;
+    std::unordered_map<std::string, std::size_t> index_;  // file and message -> warnings_
 };
 
 }  // namespace hm

@@ -1,1 +1,138 @@
 #include "base/files.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <exception>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace hm {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file descriptor that closes itself.
+struct Descriptor {
+    explicit Descriptor(int opened) : fd(opened) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (fd >= 0) ::close(fd);
+    }
+    int fd;
+};
+
+// Removes a half-written file unless it was renamed away.
+struct TemporaryFile {
+    explicit TemporaryFile(fs::path chosen) : path(std::move(chosen)) {}
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        std::error_code ignored;
+        if (!renamed) fs::remove(path, ignored);
+    }
+    fs::path path;
+    bool renamed = false;
+};
+
+std::string error_text(int number) {
+    return std::generic_category().message(number);
+}
+
+tl::unexpected<Error> unreadable(const fs::path& path, std::string message) {
+    return fail(ExitCode::unreadable, path.string(), "", std::move(message));
+}
+
+tl::unexpected<Error> unwritable(const fs::path& path, std::string message) {
+    return fail(ExitCode::unwritable, path.string(), "", "can't be written: " + message);
+}
+
+Result<void> write_bytes(const fs::path& path, std::span<const std::byte> bytes) {
+    // 0666 less the umask, as any program that creates a file.
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (file.fd < 0) return unwritable(path, error_text(errno));
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file.fd, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return unwritable(path, error_text(errno));
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    // Network file systems report a full disk only here.
+    if (::close(std::exchange(file.fd, -1)) != 0) return unwritable(path, error_text(errno));
+    return {};
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> read_file(const fs::path& path) {
+    // O_NONBLOCK: opening a named pipe must not wait for its other end.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.fd < 0) return unreadable(path, "can't be opened: " + error_text(errno));
+    struct stat info {};
+    if (::fstat(file.fd, &info) != 0) return unreadable(path, error_text(errno));
+    if (S_ISDIR(info.st_mode)) return unreadable(path, "is a folder, not a file");
+    if (!S_ISREG(info.st_mode)) return unreadable(path, "is not a regular file");
+
+    std::vector<std::byte> bytes;
+    try {
+        bytes.resize(static_cast<std::size_t>(info.st_size));
+    } catch (const std::exception&) {  // bad_alloc or length_error
+        return unreadable(path, fmt::format("its {} bytes do not fit in memory", info.st_size));
+    }
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t got = ::read(file.fd, bytes.data() + done, bytes.size() - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return unreadable(path, "can't be read: " + error_text(errno));
+        if (got == 0) return unreadable(path, "became shorter while it was read");
+        done += static_cast<std::size_t>(got);
+    }
+    return bytes;
+}
+
+Result<void> write_atomically(const fs::path& path,
+                              const std::function<Result<void>(const fs::path&)>& write) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status)) return unwritable(path, "it is a folder");
+    // Renaming over a device or a pipe would replace it.
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        return unwritable(path, "it exists and is not a regular file");
+    if (!path.has_filename()) return unwritable(path, "it names no file");
+
+    // Through a symbolic link the file it leads to is replaced, not the link.
+    fs::path target = path;
+    if (fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error))) {
+        target = fs::canonical(path, error);
+        if (error) return unwritable(path, error.message());
+    }
+
+    // Process and counter make the name unique; the target's own name is left out, since with
+    // anything added it could pass the file system's limit.
+    static std::atomic<unsigned> counter = 0;
+    TemporaryFile temporary(target.parent_path() /
+                            fmt::format(".himalaya-{}-{}.part", ::getpid(), counter++));
+    if (Result<void> written = write(temporary.path); !written) {
+        // The user knows `path`, not the temporary name.
+        Error why = std::move(written.error());
+        if (why.file == temporary.path.string()) why.file = path.string();
+        return tl::unexpected<Error>(std::move(why));
+    }
+    fs::rename(temporary.path, target, error);
+    if (error) return unwritable(path, error.message());
+    temporary.renamed = true;
+    return {};
+}
+
+Result<void> write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+    return write_atomically(
+        path, [&](const fs::path& temporary) { return write_bytes(temporary, bytes); });
+}
+
+}  // namespace hm

@@ -1,1 +1,60 @@
 #include "base/text.h"
+
+#include <cstddef>
+
+namespace hm {
+namespace {
+
+// Length of the well-formed UTF-8 sequence at the start of `text`, 0 if there is none. The ranges
+// are those of the Unicode Standard, table 3-7: no overlong forms, no surrogates, nothing past
+// U+10FFFF.
+std::size_t utf8_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const auto within = [&](std::size_t i, unsigned low, unsigned high) {
+        return i < text.size() && byte(i) >= low && byte(i) <= high;
+    };
+    const unsigned first = byte(0);
+    if (first < 0x80) return 1;
+    if (first < 0xC2 || first > 0xF4) return 0;
+    if (first < 0xE0) return within(1, 0x80, 0xBF) ? 2 : 0;
+    if (first < 0xF0) {
+        const unsigned low = first == 0xE0 ? 0xA0 : 0x80;
+        const unsigned high = first == 0xED ? 0x9F : 0xBF;
+        return within(1, low, high) && within(2, 0x80, 0xBF) ? 3 : 0;
+    }
+    const unsigned low = first == 0xF0 ? 0x90 : 0x80;
+    const unsigned high = first == 0xF4 ? 0x8F : 0xBF;
+    return within(1, low, high) && within(2, 0x80, 0xBF) && within(3, 0x80, 0xBF) ? 4 : 0;
+}
+
+bool is_control(std::string_view character) {
+    const auto first = static_cast<unsigned char>(character[0]);
+    if (character.size() == 1) return first < 0x20 || first == 0x7F;
+    // C1, U+0080 to U+009F: terminals that know them take U+009B for an escape sequence's start.
+    return character.size() == 2 && first == 0xC2 &&
+           static_cast<unsigned char>(character[1]) < 0xA0;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+    static constexpr char kDigits[] = "0123456789ABCDEF";
+    std::string out;
+    out.reserve(text.size());
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const std::string_view character = text.substr(0, length == 0 ? 1 : length);
+        if (length != 0 && !is_control(character)) {
+            out += character;
+        } else {
+            for (const char c : character) {
+                const auto byte = static_cast<unsigned char>(c);
+                out += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+            }
+        }
+        text.remove_prefix(character.size());
+    }
+    return out;
+}
+
+}  // namespace hm

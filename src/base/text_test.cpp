@@ -1,0 +1,35 @@
+#include "base/text.h"
+
+#include <gtest/gtest.h>
+
+namespace hm {
+namespace {
+
+TEST(Printable, KeepsOrdinaryText) {
+    EXPECT_EQ(printable(""), "");
+    EXPECT_EQ(printable("a b~/\"\\"), "a b~/\"\\");
+    EXPECT_EQ(printable("\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x8F\x94"),
+              "\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x8F\x94");
+    EXPECT_EQ(printable("\xC2\xA0"), "\xC2\xA0");  // U+00A0, the first character past C1
+}
+
+TEST(Printable, EscapesControlCharacters) {
+    EXPECT_EQ(printable("a\nb\tc"), "a\\x0Ab\\x09c");
+    EXPECT_EQ(printable("\x1B[31m"), "\\x1B[31m");
+    EXPECT_EQ(printable("\x7F"), "\\x7F");
+    EXPECT_EQ(printable("\xC2\x9B"), "\\xC2\\x9B");
+    EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
+}
+
+TEST(Printable, EscapesWhatIsNotUtf8) {
+    EXPECT_EQ(printable("\x80"), "\\x80");                    // continuation without a start
+    EXPECT_EQ(printable("\xC0\xAF"), "\\xC0\\xAF");           // overlong
+    EXPECT_EQ(printable("\xE0\x9F\xBF"), "\\xE0\\x9F\\xBF");  // overlong
+    EXPECT_EQ(printable("\xED\xA0\x80"), "\\xED\\xA0\\x80");  // surrogate
+    EXPECT_EQ(printable("\xF4\x90\x80\x80"), "\\xF4\\x90\\x80\\x80");  // past U+10FFFF
+    EXPECT_EQ(printable("\xE2\x82"), "\\xE2\\x82");                    // cut short
+    EXPECT_EQ(printable("\xE2\x82z"), "\\xE2\\x82z");  // resumes at the next character
+}
+
+}  // namespace
+}  // namespace hm
