@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# Puts Mesa's lavapipe 25, a Vulkan device that runs on the CPU, into build/lavapipe for the tests
+# labelled `gpu`. Debian 12's own lavapipe (22.3) has no ray tracing; bookworm-backports has 25.0.
+# Nothing enters the system: apt works on lists and a cache of its own inside the build folder,
+# checks Debian's signatures as ever, downloads, and dpkg only unpacks.
+#
+# Leaves build/lavapipe/icd.json (the driver's manifest), lib/ (the driver and those of its libraries
+# that the system lacks or has too old) and env.sh, to be sourced for running a program by hand.
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+target=$root/build/lavapipe
+keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+
+driver_loads() {
+    [ -f "$target/icd.json" ] &&
+        ! LD_LIBRARY_PATH=$target/lib ldd "$target/lib/libvulkan_lvp.so" | grep -q 'not found'
+}
+if driver_loads && grep -qF "\"$target/lib/libvulkan_lvp.so\"" "$target/icd.json"; then
+    echo "fetch-lavapipe: $target/icd.json is there"
+    exit 0
+fi
+
+release=$(. /etc/os-release && echo "${ID:-}-${VERSION_CODENAME:-}")
+if [ "$release" != debian-bookworm ]; then
+    echo "fetch-lavapipe: made for Debian 12, this is '$release'." \
+        "Install your system's Mesa Vulkan drivers, 25.0 or newer." >&2
+    exit 1
+fi
+
+# The mirror that this machine already uses.
+mirror=$(apt-get update --print-uris | sed -n "s,^'\(.*\)/dists/bookworm/InRelease'.*,\1,p" | head -n 1)
+if [ -z "$mirror" ]; then
+    echo "fetch-lavapipe: apt knows no mirror of Debian bookworm" >&2
+    exit 1
+fi
+
+work=$root/build/lavapipe.new
+rm -rf "$work"
+mkdir -p "$work"/apt/lists/partial "$work"/apt/cache/archives/partial "$work"/apt/parts \
+    "$work"/root "$work"/lib
+for suite in bookworm bookworm-backports; do
+    echo "deb [signed-by=$keyring] $mirror $suite main"
+done >"$work/apt/sources.list"
+
+private_apt() {
+    apt-get -qq \
+        -o Dir::Etc::sourcelist="$work/apt/sources.list" -o Dir::Etc::sourceparts="$work/apt/parts" \
+        -o Dir::Etc::preferencesparts="$work/apt/parts" -o Dir::Etc::preferences="$work/apt/none" \
+        -o Dir::State::lists="$work/apt/lists" -o Dir::Cache="$work/apt/cache" \
+        -o APT::Sandbox::User="$(id -un)" -o Debug::NoLocking=1 "$@"
+}
+echo "fetch-lavapipe: downloading mesa-vulkan-drivers from bookworm-backports"
+private_apt update
+# apt itself tells which libraries this system lacks or has too old.
+private_apt --yes --no-install-recommends --download-only -t bookworm-backports \
+    install mesa-vulkan-drivers
+for package in "$work"/apt/cache/archives/*.deb; do
+    dpkg-deb -x "$package" "$work/root"
+done
+
+# Keep the driver and the unpacked libraries among its dependencies; the rest is other drivers.
+folders=$(find "$work/root" -name '*.so*' -printf '%h\n' | sort -u | paste -sd:)
+driver=$(find "$work/root" -name libvulkan_lvp.so)
+cp "$driver" "$work/lib/"
+LD_LIBRARY_PATH=$folders ldd "$driver" | awk -v from="$work/root/" 'index($3, from) == 1 {print $3}' |
+    xargs -r cp -L -t "$work/lib"
+rm -rf "$work/apt" "$work/root"
+
+cat >"$work/icd.json" <<JSON
+{
+    "file_format_version": "1.0.0",
+    "ICD": { "library_path": "$target/lib/libvulkan_lvp.so", "api_version": "1.3.0" }
+}
+JSON
+cat >"$work/env.sh" <<SH
+export VK_DRIVER_FILES="$target/icd.json"
+export LD_LIBRARY_PATH="$target/lib\${LD_LIBRARY_PATH:+:\$LD_LIBRARY_PATH}"
+SH
+rm -rf "$target"
+mv "$work" "$target"
+if ! driver_loads; then
+    echo "fetch-lavapipe: the driver's libraries are incomplete:" >&2
+    LD_LIBRARY_PATH=$target/lib ldd "$target/lib/libvulkan_lvp.so" | grep 'not found' >&2
+    exit 1
+fi
+echo "fetch-lavapipe: VK_DRIVER_FILES=$target/icd.json"

@@ -1,0 +1,52 @@
+#!/bin/sh
+# Installs what Himalaya needs from Debian 12's own packages. A second run only looks and returns.
+#   --build  what building and rendering need
+#   --test   that, and what the tests need (default)
+set -eu
+
+group=${1:---test}
+packages="g++ cmake ninja-build ccache pkg-config git ca-certificates
+    libglm-dev libsimdjson-dev libopenexr-dev libspng-dev libjpeg62-turbo-dev zlib1g-dev
+    libtbb-dev libcli11-dev libfmt-dev libexpected-dev"
+case $group in
+--build) ;;
+--test)
+    packages="$packages clang-format libgtest-dev libboost-dev
+        libvulkan-dev glslang-tools spirv-tools"
+    # Node from elsewhere serves as well, and Debian's npm would conflict with it.
+    command -v node >/dev/null || packages="$packages nodejs"
+    command -v npm >/dev/null || packages="$packages npm"
+    ;;
+*)
+    echo "usage: $0 [--build|--test]" >&2
+    exit 2
+    ;;
+esac
+
+is_installed() {
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    echo "install-deps: this is not Debian; install the equivalents of these packages:" >&2
+    echo "$packages" | tr -s ' \n' '\n\n' | sed '/^$/d; s/^/  /' >&2
+    exit 1
+fi
+
+missing=""
+for package in $packages; do
+    is_installed "$package" || missing="$missing $package"
+done
+if [ -z "$missing" ]; then
+    echo "install-deps: every package is installed"
+    exit 0
+fi
+echo "install-deps: installing$missing"
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+as_root apt-get update -qq
+# shellcheck disable=SC2086  # one word per package
+as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends $missing

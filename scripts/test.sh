@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# From a fresh clone to a tested one.
+#   test.sh          all tests, optimised; validates the shipped scenes with Khronos' validator
+#   test.sh --asan   unit and corpus tests under AddressSanitizer and UndefinedBehaviorSanitizer
+# Fails at the first thing that fails; ctest's summary comes last.
+set -euo pipefail
+
+cd "$(dirname "$0")/.."
+case ${1:-} in
+"") preset=release labels=() ;;
+--asan) preset=asan labels=(-L 'unit|corpus') ;;
+*)
+    echo "usage: $0 [--asan]" >&2
+    exit 2
+    ;;
+esac
+
+scripts/install-deps.sh --test
+if [ "$preset" = release ]; then
+    scripts/fetch-lavapipe.sh
+    # npm checks the hash that the lock file gives.
+    if ! cmp -s scripts/npm/package-lock.json build/npm/package-lock.json ||
+        [ ! -f build/npm/node_modules/gltf-validator/package.json ]; then
+        mkdir -p build/npm
+        cp scripts/npm/package.json scripts/npm/package-lock.json build/npm/
+        npm ci --prefix build/npm --no-audit --no-fund
+    fi
+fi
+
+cmake --preset "$preset" --log-level=WARNING -DHIMALAYA_TESTS=ON
+cmake --build --preset "$preset" -j "$(nproc)"
+if [ "$preset" = release ]; then
+    NODE_PATH=$PWD/build/npm/node_modules node tests/validate_gltf.mjs scenes/*.glb
+fi
+ctest --preset "$preset" --no-tests=error -j "$(nproc)" "${labels[@]}"

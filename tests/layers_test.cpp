@@ -1,0 +1,101 @@
+// Who may include whom: the rooms of src/ and the layers that docs/architecture.md draws. CMake's
+// links say the same, but an include of a header-only room would compile without a link.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+const std::map<std::string, Names> kMayInclude = {
+    {"base", {}},
+    {"shading", {"base"}},
+    {"image", {"base"}},
+    {"scene", {"base", "shading", "image"}},
+    {"gltf", {"base", "shading", "image", "scene"}},
+    {"bvh", {"base", "shading"}},
+    {"film", {"base", "shading", "image"}},
+    {"cpu", {"base", "shading", "image", "scene", "bvh", "film"}},
+    {"app", {"base", "shading", "image", "scene", "gltf", "bvh", "film", "cpu"}},
+};
+
+// Outside libraries that one room alone knows, by the first part of the include's path.
+const std::map<std::string, std::string> kOnlyIn = {
+    {"simdjson.h", "gltf"}, {"spng.h", "image"}, {"jpeglib.h", "image"}, {"OpenEXR", "image"},
+    {"Imath", "image"},     {"CLI", "app"},      {"vulkan", "rhi"},
+};
+
+fs::path source_dir() {
+    const char* dir = std::getenv("HIMALAYA_SOURCE_DIR");
+    return dir != nullptr ? fs::path(dir) : fs::current_path();
+}
+
+std::string first_part(const std::string& path) {
+    return path.substr(0, path.find('/'));
+}
+
+// Every rule that a source file breaks, as "file:line: what".
+std::vector<std::string> broken_rules(const std::string& name, const std::string& room,
+                                      std::istream& text) {
+    static const std::regex kInclude(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
+    std::vector<std::string> broken;
+    std::string line;
+    for (int number = 1; std::getline(text, line); ++number) {
+        std::smatch match;
+        if (!std::regex_search(line, match, kInclude)) continue;
+        const std::string included = match[1];
+        const std::string part = first_part(included);
+        const bool is_room = kMayInclude.contains(part) && included != part;
+        const bool forbidden_room = is_room && part != room && !kMayInclude.at(room).contains(part);
+        const auto only = kOnlyIn.find(part);
+        const bool forbidden_library = only != kOnlyIn.end() && only->second != room;
+        if (forbidden_room || forbidden_library || included.starts_with("..")) {
+            broken.push_back(name + ":" + std::to_string(number) + ": " + room +
+                             " may not include " + included);
+        }
+    }
+    return broken;
+}
+
+TEST(Layers, EveryIncludeGoesDownwards) {
+    const fs::path src = source_dir() / "src";
+    ASSERT_TRUE(fs::is_directory(src)) << src;
+    const Names kSources = {".h", ".cpp", ".inl", ".comp", ".rgen", ".rchit", ".rmiss", ".rahit"};
+    int files = 0;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(src)) {
+        if (!entry.is_regular_file() || !kSources.contains(entry.path().extension().string()))
+            continue;
+        const std::string name = fs::relative(entry.path(), src).generic_string();
+        const std::string room = first_part(name);
+        ASSERT_TRUE(kMayInclude.contains(room))
+            << room << " is a new room: say what it may include";
+        std::ifstream text(entry.path());
+        for (const std::string& broken : broken_rules(name, room, text))
+            ADD_FAILURE() << broken;
+        ++files;
+    }
+    EXPECT_GT(files, 10);
+}
+
+TEST(Layers, TheCheckSeesWhatItShould) {
+    const auto count = [](const std::string& room, const std::string& line) {
+        std::istringstream text(line);
+        return broken_rules("x.h", room, text).size();
+    };
+    EXPECT_EQ(count("shading", "#include \"scene/scene.h\""), 1u);
+    EXPECT_EQ(count("cpu", "#  include <simdjson.h>"), 1u);
+    EXPECT_EQ(count("bvh", "#include \"../scene/scene.h\""), 1u);
+    EXPECT_EQ(count("gltf", "#include <simdjson.h>\n#include \"scene/scene.h\""), 0u);
+    EXPECT_EQ(count("base", "#include <vector>"), 0u);
+}
+
+}  // namespace
