@@ -1,0 +1,87 @@
+// Writes a glTF 2.0 binary (.glb): geometry that meshes share, PNG textures, nodes,
+// KHR_lights_punctual lights. Materials are given as the JSON text of their properties.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "base/result.h"
+#include "shapes.h"
+
+namespace hm {
+
+// 8-bit pixels, rows from the top; 1, 3 or 4 channels.
+struct Picture {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::uint32_t channels = 3;
+    std::vector<std::uint8_t> pixels;
+};
+
+struct GltfPrimitive {
+    int geometry = -1;
+    int material = -1;
+};
+
+struct GltfNode {
+    std::string name;
+    glm::vec3 translation{0};
+    glm::quat rotation{1, 0, 0, 0};
+    glm::vec3 scale{1};
+    int mesh = -1;
+    int camera = -1;
+    int light = -1;
+};
+
+class GltfWriter {
+  public:
+    // The accessors of one triangle mesh, for any number of primitives. Only the attributes that
+    // the mesh has are written; indices take 16 bits where they fit.
+    int add_geometry(const TriangleMesh& mesh);
+
+    Result<int> add_texture(const std::string& name, const Picture& picture);
+
+    // `properties` is what stands in the material's object after its name, e.g.
+    // "\"doubleSided\":true"; the extensions it names are declared.
+    int add_material(const std::string& name, const std::string& properties);
+
+    int add_mesh(const std::string& name, std::span<const GltfPrimitive> primitives);
+    int add_camera(const std::string& name, float yfov, float aspect_ratio, float z_near);
+    int add_directional_light(const std::string& name, glm::vec3 color, float intensity);
+    void add_node(const GltfNode& node);
+
+    // One geometry and one material on one node: the common case.
+    void add_object(const std::string& name, const TriangleMesh& mesh, int material);
+
+    Result<void> write(const std::filesystem::path& path) const;
+
+  private:
+    struct Geometry {
+        std::string attributes;  // JSON object
+        std::size_t indices = 0;
+    };
+
+    std::size_t add_view(std::span<const std::byte> bytes, int target);
+    std::size_t add_accessor(std::span<const std::byte> bytes, int target, int component_type,
+                             std::size_t count, const char* type, const std::string& bounds);
+    std::string document() const;
+
+    std::vector<std::byte> buffer_;
+    std::vector<Geometry> geometries_;
+    std::vector<std::string> views_, accessors_, images_, textures_, materials_, meshes_, cameras_,
+        lights_, nodes_;
+    std::set<std::string> extensions_;
+};
+
+// Looks from `eye` at `target`, as a camera's or a light's node rotation (-z forwards, +y up).
+glm::quat look_rotation(glm::vec3 eye, glm::vec3 target);
+
+}  // namespace hm

@@ -1,0 +1,35 @@
+// Writes the product's own scenes into a folder, the same bytes every time.
+//
+// Usage: make_scenes FOLDER
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "scenes.h"
+
+namespace hm {
+
+Result<void> write_scene(const std::filesystem::path& folder, const std::string& name,
+                         const GltfWriter& writer, const DefaultFlags& flags) {
+    HM_TRY(writer.write(folder / (name + ".glb")));
+    std::string text;
+    for (const auto& [flag, value] : flags)
+        text += fmt::format("{}  \"{}\": \"{}\"", text.empty() ? "{\n" : ",\n", flag, value);
+    text += "\n}\n";
+    return write_file_atomically(folder / (name + ".json"),
+                                 std::as_bytes(std::span<const char>(text)));
+}
+
+}  // namespace hm
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        fmt::print(stderr, "usage: make_scenes FOLDER\n");
+        return int(hm::ExitCode::usage);
+    }
+    for (const auto write : {hm::write_cornell, hm::write_spheres})
+        if (const auto result = write(argv[1]); !result) {
+            fmt::print(stderr, "make_scenes: {}\n", result.error().line());
+            return int(result.error().code);
+        }
+    return 0;
+}
