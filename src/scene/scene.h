@@ -63,8 +63,8 @@ struct Mesh {
 struct Camera {
     std::string name;
     bool perspective = true;
-    float yfov = 0.8f;        // radians
-    float aspect_ratio = 0;   // 0: the picture's
+    float yfov = 0.8f;         // radians
+    float aspect_ratio = 0;    // 0: the picture's
     float xmag = 1, ymag = 1;  // orthographic half extents, metres
 };
 
@@ -89,7 +89,7 @@ struct Node {
 };
 
 struct Scene {
-    std::string file;  // for messages
+    std::string file;         // for messages
     std::vector<Node> nodes;  // of the chosen scene only
     std::vector<Mesh> meshes;
     std::vector<Material> materials;

@@ -3,7 +3,8 @@
 //
 // Rules for the files that include this: no swizzles, enums, struct constructors or overloads;
 // literals carry f or u; one random number per statement; never pass a variable twice to a function
-// that writes it. Words reserved in GLSL (input, output, sample, filter, half, common, ...) stay out.
+// that writes it. Words reserved in GLSL (input, output, sample, filter, half, common, ...) stay
+// out.
 #ifndef HM_SHADING_LANG_H
 #define HM_SHADING_LANG_H
 
@@ -54,8 +55,12 @@ using glm::normalize;
 using glm::pow;
 using glm::sqrt;
 
-inline uint float_bits(float x) { return std::bit_cast<uint>(x); }
-inline float bits_float(uint x) { return std::bit_cast<float>(x); }
+inline uint float_bits(float x) {
+    return std::bit_cast<uint>(x);
+}
+inline float bits_float(uint x) {
+    return std::bit_cast<float>(x);
+}
 // The upper half of the 64-bit product: maps a uniform 32-bit integer onto 0..n-1.
 inline uint mul_high(uint a, uint b) {
     return uint((std::uint64_t(a) * std::uint64_t(b)) >> 32);
@@ -80,15 +85,21 @@ inline uint reverse_bits(uint x) {
 #define HM_ROW(T) T
 #define HM_HOOK(declaration) declaration;
 
-uint float_bits(float x) { return floatBitsToUint(x); }
-float bits_float(uint x) { return uintBitsToFloat(x); }
+uint float_bits(float x) {
+    return floatBitsToUint(x);
+}
+float bits_float(uint x) {
+    return uintBitsToFloat(x);
+}
 uint mul_high(uint a, uint b) {
     uint high;
     uint low;
     umulExtended(a, b, high, low);
     return high;
 }
-uint reverse_bits(uint x) { return bitfieldReverse(x); }
+uint reverse_bits(uint x) {
+    return bitfieldReverse(x);
+}
 
 #endif
 

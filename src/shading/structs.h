@@ -80,7 +80,8 @@ HM_CONST uint kGeometryNormalMapped = 8u;
 struct GeometryData {
     uint material;
     uint flags;           // kGeometry*
-    uint emitter_offset;  // of its triangle 0, from the instance's first emitter; kNone if it emits nothing
+    uint emitter_offset;  // of its triangle 0, from the instance's first emitter; kNone if it emits
+                          // nothing
     uint triangle_count;
 };
 
@@ -134,10 +135,10 @@ HM_CONST uint kCameraOrthographic = 1u;
 
 struct CameraData {
     vec3 origin;
-    vec3 right;    // unit
-    vec3 up;       // unit
-    vec3 forward;  // unit, into the picture
-    float half_width;   // of the image plane at distance 1 (perspective) or in metres (orthographic)
+    vec3 right;        // unit
+    vec3 up;           // unit
+    vec3 forward;      // unit, into the picture
+    float half_width;  // of the image plane at distance 1 (perspective) or in metres (orthographic)
     float half_height;
     float lens_radius;     // metres; 0: pinhole
     float focus_distance;  // metres along the axis
@@ -166,8 +167,18 @@ HM_CONST uint kBackgroundEnvironment = 0u;
 HM_CONST uint kBackgroundColor = 1u;
 HM_CONST uint kBackgroundTransparent = 2u;
 
+// One kind of light among the three: it is picked when a 32-bit number falls into [begin, end), and
+// the number is stretched back over 32 bits by (x - begin) * (scale_int + scale_frac / 2^32).
+struct LightRange {
+    uint begin;
+    uint end;
+    uint scale_int;
+    uint scale_frac;
+    float pdf;  // the probability of this kind; 0: never picked
+};
+
 struct RenderParams {
-    uint width;   // of the whole picture, whatever the crop
+    uint width;  // of the whole picture, whatever the crop
     uint height;
     uint seed;
     uint sampler_kind;   // kSampler*
@@ -179,15 +190,11 @@ struct RenderParams {
     uint background;    // kBackground*
     vec3 background_color;
     float filter_width;  // pixels; the inverse CDF table spans -1..1 times half of it
+    LightRange environment_range;
+    LightRange punctual_range;
+    LightRange emitter_range;
     uint light_count;
     uint emitter_count;
-    // A 32-bit number below threshold_environment picks the environment, below threshold_punctual a
-    // punctual light, else an emissive triangle. The pdfs are these events' probabilities.
-    uint threshold_environment;
-    uint threshold_punctual;
-    float pdf_environment;
-    float pdf_punctual;
-    float pdf_emitter;
 };
 
 HM_NAMESPACE_END

@@ -1,0 +1,118 @@
+#include "scene/emitters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/alias_table.h"
+#include "shading/shading.h"
+
+namespace hm {
+namespace {
+
+// The shared texture and emission code over the flat scene's tables.
+struct EmissionReader {
+    const FlatScene& flat;
+    const TextureUse* texture_uses;
+    const float* srgb = srgb_table();
+
+    explicit EmissionReader(const FlatScene& scene)
+        : flat(scene), texture_uses(scene.texture_uses.data()) {}
+
+    uvec2 image_size(uint image) const {
+        return {flat.images[image].width, flat.images[image].height};
+    }
+    vec4 fetch_texel(uint image, uint x, uint y, uint is_srgb) const {
+        return fetch_image_texel(flat.images[image], x, y, is_srgb != 0, srgb);
+    }
+#include "shading/path/texture.h"
+
+    // Mean luminance over the triangle, times coverage. The grid is as fine as the texels under it,
+    // up to a limit: an estimate is enough, it only steers sampling.
+    float mean(const MaterialData& m, const GeometryView& view, std::uint32_t primitive) {
+        bool unlit = (m.flags & kMaterialUnlit) != 0;
+        uint slot = unlit ? m.base_color_texture : m.emissive_texture;
+        float factor = luminance(unlit ? vec3(m.base_color_factor) : m.emissive_factor);
+        const TextureUse& use = texture_uses[slot];
+        if (use.image == kImageWhite) return factor;
+        uvec3 t = view.triangles[primitive];
+        vec2 uv[3];
+        for (int k = 0; k < 3; ++k)
+            uv[k] = use.uv_set == 0 || !view.extras ? view.vertices[t[std::size_t(k)]].uv0
+                                                    : view.extras[t[std::size_t(k)]].uv1;
+        vec2 size(float(flat.images[use.image].width), float(flat.images[use.image].height));
+        float texels = std::max(length((uv[1] - uv[0]) * size), length((uv[2] - uv[0]) * size));
+        int steps = int(std::clamp(texels, 1.0f, 24.0f));
+        vec3 sum(0);
+        int count = 0;
+        for (int i = 0; i < steps; ++i)
+            for (int j = 0; j < steps; ++j) {
+                vec2 b = sample_triangle((float(i) + 0.5f) / float(steps),
+                                         (float(j) + 0.5f) / float(steps));
+                vec2 at = uv[0] * (1 - b.x - b.y) + uv[1] * b.x + uv[2] * b.y;
+                sum += vec3(sample_texture(slot, at, at));
+                ++count;
+            }
+        vec3 color = unlit ? vec3(m.base_color_factor) : m.emissive_factor;
+        return luminance(color * sum / float(count));
+    }
+};
+
+bool emits(const MaterialData& m) {
+    if ((m.flags & kMaterialUnlit) != 0) return max_component(vec3(m.base_color_factor)) > 0;
+    return max_component(m.emissive_factor) > 0;
+}
+
+// Emitters of a mesh are numbered through its emitting geometries.
+std::uint32_t number_mesh_emitters(FlatScene& flat, std::size_t mesh) {
+    std::uint32_t count = 0;
+    for (std::uint32_t g = flat.mesh_first_geometry[mesh]; g < flat.mesh_first_geometry[mesh + 1];
+         ++g) {
+        GeometryData& geometry = flat.geometries[g];
+        if (!emits(flat.materials[geometry.material])) continue;
+        geometry.emitter_offset = count;
+        count += geometry.triangle_count;
+    }
+    return count;
+}
+
+}  // namespace
+
+void add_emitters(FlatScene& flat) {
+    for (std::size_t mesh = 0; mesh + 1 < flat.mesh_first_geometry.size(); ++mesh)
+        number_mesh_emitters(flat, mesh);
+    EmissionReader reader(flat);
+    std::vector<float> powers;
+    for (std::uint32_t i = 0; i < flat.instances.size(); ++i) {
+        InstanceData& instance = flat.instances[i];
+        instance.first_emitter = std::uint32_t(flat.emitters.size());
+        for (std::uint32_t g = instance.first_geometry;
+             g < flat.mesh_first_geometry[instance.mesh + 1]; ++g) {
+            if (flat.geometries[g].emitter_offset == kNone) continue;
+            const GeometryView& view = flat.geometry_views[g];
+            const MaterialData& m = flat.materials[flat.geometries[g].material];
+            float sides = (m.flags & kMaterialDoubleSided) != 0 ? 2.0f : 1.0f;
+            for (std::uint32_t p = 0; p < view.triangle_count; ++p) {
+                EmitterTriangle e{};
+                uvec3 t = view.triangles[p];
+                e.p0 = instance.object_to_world * vec4(view.vertices[t.x].position, 1);
+                e.p1 = instance.object_to_world * vec4(view.vertices[t.y].position, 1);
+                e.p2 = instance.object_to_world * vec4(view.vertices[t.z].position, 1);
+                e.instance = i;
+                e.geometry = g - instance.first_geometry;
+                e.primitive = p;
+                float area = 0.5f * length(cross(e.p1 - e.p0, e.p2 - e.p0));
+                float power =
+                    area > 0 && std::isfinite(area)
+                        ? area * sides * std::numbers::pi_v<float> * reader.mean(m, view, p)
+                        : 0.0f;
+                powers.push_back(power);
+                flat.emitter_power += power;
+                flat.emitters.push_back(e);
+            }
+        }
+    }
+    flat.emitter_alias = build_alias_table(powers);
+}
+
+}  // namespace hm

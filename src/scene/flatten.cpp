@@ -1,0 +1,211 @@
+#include "scene/flatten.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "scene/alias_table.h"
+#include "scene/emitters.h"
+#include "shading/math.h"
+
+namespace hm {
+namespace {
+
+constexpr std::uint8_t kWhiteTexel[4] = {255, 255, 255, 255};
+
+std::uint32_t add_texture_use(FlatScene& flat, const TextureSlot& slot, bool srgb) {
+    if (slot.image == kUnset) return 0;
+    flat.texture_uses.push_back({std::uint32_t(slot.image) + 1, slot.wrap_u, slot.wrap_v,
+                                 slot.filter_mode, slot.uv_set, srgb ? 1u : 0u, slot.uv_row_u,
+                                 slot.uv_row_v});
+    return std::uint32_t(flat.texture_uses.size()) - 1;
+}
+
+void add_material(FlatScene& flat, const Material& m) {
+    MaterialData d{};
+    d.base_color_factor = m.base_color;
+    d.emissive_factor = m.emissive;
+    d.specular_weight = m.specular_weight;
+    d.metallic_factor = m.metallic;
+    d.roughness_factor = m.roughness;
+    d.normal_scale = m.normal_scale;
+    d.occlusion_strength = m.occlusion_strength;
+    d.base_color_texture = add_texture_use(flat, m.base_color_texture, true);
+    d.emissive_texture = add_texture_use(flat, m.emissive_texture, true);
+    d.metallic_roughness_texture = add_texture_use(flat, m.metallic_roughness_texture, false);
+    d.normal_texture = add_texture_use(flat, m.normal_texture, false);
+    d.occlusion_texture = add_texture_use(flat, m.occlusion_texture, false);
+    d.alpha_cutoff = m.alpha_cutoff;
+    d.alpha_mode = m.alpha_mode;
+    d.flags = (m.double_sided ? kMaterialDoubleSided : 0u) | (m.unlit ? kMaterialUnlit : 0u);
+    flat.materials.push_back(d);
+}
+
+void add_materials(FlatScene& flat, const Scene& scene) {
+    flat.images.push_back({kWhiteTexel, 1, 1, std::uint32_t(PixelFormat::rgba8)});
+    for (const Image& image : scene.images)
+        flat.images.push_back(
+            {image.pixels.data(), image.width, image.height, std::uint32_t(image.format)});
+    flat.texture_uses.push_back({0, 0, 0, 0, 0, 0, vec3(1, 0, 0), vec3(0, 1, 0)});
+    for (const Material& m : scene.materials)
+        add_material(flat, m);
+    add_material(flat, Material{});
+}
+
+void add_geometries(FlatScene& flat, const Scene& scene) {
+    for (const Mesh& mesh : scene.meshes) {
+        flat.mesh_first_geometry.push_back(std::uint32_t(flat.geometries.size()));
+        for (const Primitive& p : mesh.primitives) {
+            GeometryData g{};
+            g.material = p.material == kUnset ? std::uint32_t(flat.materials.size()) - 1
+                                              : std::uint32_t(p.material);
+            if (p.has_normals) g.flags |= kGeometryHasNormals;
+            if (p.has_tangents) g.flags |= kGeometryHasTangents;
+            if (!p.extras.empty()) g.flags |= kGeometryHasExtras;
+            if (flat.materials[g.material].normal_texture != 0) g.flags |= kGeometryNormalMapped;
+            g.emitter_offset = kNone;
+            g.triangle_count = std::uint32_t(p.triangles.size());
+            flat.geometries.push_back(g);
+            flat.geometry_views.push_back(
+                {p.vertices.data(), p.extras.empty() ? nullptr : p.extras.data(),
+                 p.triangles.data(), std::uint32_t(p.vertices.size()), g.triangle_count});
+        }
+    }
+    flat.mesh_first_geometry.push_back(std::uint32_t(flat.geometries.size()));
+}
+
+bool all_finite(const glm::dmat4& m) {
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r)
+            if (!std::isfinite(float(m[c][r]))) return false;
+    return true;
+}
+
+void grow(Bounds& bounds, vec3 p) {
+    bounds.low = min(bounds.low, p);
+    bounds.high = max(bounds.high, p);
+}
+
+std::vector<Bounds> mesh_bounds(const Scene& scene) {
+    std::vector<Bounds> bounds(scene.meshes.size());
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m)
+        for (const Primitive& primitive : scene.meshes[m].primitives)
+            for (const Vertex& v : primitive.vertices)
+                grow(bounds[m], v.position);
+    return bounds;
+}
+
+// The box around the transformed box: never smaller than the instance itself.
+void grow_by_instance(Bounds& bounds, const Bounds& mesh, const mat4x3& object_to_world) {
+    if (mesh.empty()) return;
+    for (int i = 0; i < 8; ++i)
+        grow(bounds, object_to_world * vec4((i & 1) != 0 ? mesh.high.x : mesh.low.x,
+                                            (i & 2) != 0 ? mesh.high.y : mesh.low.y,
+                                            (i & 4) != 0 ? mesh.high.z : mesh.low.z, 1));
+}
+
+void add_instances(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4>& world,
+                   Diagnostics& diagnostics) {
+    const std::vector<Bounds> local_bounds = mesh_bounds(scene);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        if (scene.nodes[i].mesh == kUnset) continue;
+        glm::dmat4 to_world(world[i]);
+        double determinant = glm::determinant(glm::dmat3(to_world));
+        glm::dmat4 to_object = glm::inverse(to_world);
+        if (determinant == 0.0 || !all_finite(to_object)) {
+            diagnostics.warn(scene.file, "", "a node is scaled to nothing; its mesh is not drawn");
+            continue;
+        }
+        InstanceData instance{};
+        instance.object_to_world = mat4x3(world[i]);
+        instance.world_to_object = mat4x3(to_object);
+        instance.mesh = std::uint32_t(scene.nodes[i].mesh);
+        instance.first_geometry = flat.mesh_first_geometry[instance.mesh];
+        instance.flags = determinant < 0.0 ? kInstanceFlipped : 0u;
+        grow_by_instance(flat.bounds, local_bounds[instance.mesh], instance.object_to_world);
+        flat.instances.push_back(instance);
+    }
+}
+
+void add_lights(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4>& world) {
+    constexpr float pi = std::numbers::pi_v<float>;
+    const float disk =
+        pi * std::max(flat.bounds.radius(), 1e-3f) * std::max(flat.bounds.radius(), 1e-3f);
+    std::vector<float> powers;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        if (scene.nodes[i].light == kUnset) continue;
+        const Light& light = scene.lights[std::size_t(scene.nodes[i].light)];
+        LightData d{};
+        d.kind = light.kind;
+        d.position = vec3(world[i][3]);
+        vec3 axis = -vec3(world[i][2]);
+        d.direction = dot(axis, axis) > 0 ? normalize(axis) : vec3(0, 0, -1);
+        d.color = light.color * light.intensity;
+        d.range = light.range;
+        float cos_outer = std::cos(light.outer_cone);
+        d.spot_scale = 1.0f / std::max(0.001f, std::cos(light.inner_cone) - cos_outer);
+        d.spot_offset = -cos_outer * d.spot_scale;
+        if (!(luminance(d.color) > 0)) continue;
+        float extent = light.kind == kLightDirectional ? disk
+                       : light.kind == kLightPoint     ? 4 * pi
+                                                       : 2 * pi * (1 - cos_outer);
+        powers.push_back(luminance(d.color) * extent);
+        flat.punctual_power += powers.back();
+        flat.lights.push_back(d);
+    }
+    flat.light_alias = build_alias_table(powers);
+}
+
+}  // namespace
+
+FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice choice,
+                  Diagnostics& diagnostics) {
+    FlatScene flat;
+    flat.environment = std::move(environment);
+    std::vector<glm::mat4> world = world_transforms(scene);
+    add_materials(flat, scene);
+    add_geometries(flat, scene);
+    add_instances(flat, scene, world, diagnostics);
+    if (choice.punctual) add_lights(flat, scene, world);
+    if (choice.emitters) add_emitters(flat);
+    float radius = std::max(flat.bounds.radius(), 1e-3f);
+    constexpr float pi = std::numbers::pi_v<float>;
+    flat.environment_power = flat.environment.data.intensity > 0
+                                 ? flat.environment.mean_radiance * 4 * pi * pi * radius * radius
+                                 : 0.0f;
+    return flat;
+}
+
+void set_light_ranges(const FlatScene& scene, RenderParams& params) {
+    params.light_count = std::uint32_t(scene.lights.size());
+    params.emitter_count = std::uint32_t(scene.emitters.size());
+    std::array<LightRange*, 3> ranges = {&params.environment_range, &params.punctual_range,
+                                         &params.emitter_range};
+    std::array<double, 3> powers = {double(scene.environment_power), double(scene.punctual_power),
+                                    double(scene.emitter_power)};
+    // BSDF sampling never finds a punctual light, so those are sampled in every strategy.
+    if (params.strategy == kStrategyBsdf) powers[0] = powers[2] = 0;
+    double total = 0;
+    int present = 0;
+    for (double p : powers) {
+        total += p;
+        present += p > 0 ? 1 : 0;
+    }
+    double begin = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        *ranges[i] = LightRange{};
+        if (!(powers[i] > 0)) continue;
+        // Half by power, half evenly: power says little about what reaches a given point.
+        double share = 0.5 * powers[i] / total + 0.5 / present;
+        double end = std::min(begin + share, 1.0);
+        double low = std::floor(begin * 4294967295.0), high = std::floor(end * 4294967295.0);
+        if (end > 1.0 - 1e-9) high = 4294967295.0;
+        double scale = 4294967295.0 / (high - low);
+        *ranges[i] = {std::uint32_t(low), std::uint32_t(high), std::uint32_t(scale),
+                      std::uint32_t((scale - std::floor(scale)) * 4294967296.0),
+                      float((high - low) / 4294967295.0)};
+        begin = end;
+    }
+}
+
+}  // namespace hm

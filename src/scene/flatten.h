@@ -1,0 +1,64 @@
+// Scene -> the tables that shading reads. Geometry is not copied: the tables point into the scene,
+// which must outlive them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "scene/environment.h"
+#include "scene/image_view.h"
+#include "scene/scene.h"
+
+namespace hm {
+
+struct GeometryView {
+    const Vertex* vertices;
+    const VertexExtra* extras;  // null without kGeometryHasExtras
+    const uvec3* triangles;
+    std::uint32_t vertex_count;
+    std::uint32_t triangle_count;
+};
+
+struct Bounds {
+    vec3 low{1e30f};
+    vec3 high{-1e30f};
+    bool empty() const { return low.x > high.x; }
+    vec3 center() const { return (low + high) * 0.5f; }
+    float radius() const { return empty() ? 0.0f : 0.5f * length(high - low); }
+};
+
+struct FlatScene {
+    std::vector<MaterialData> materials;  // the last one is glTF's default material
+    std::vector<TextureUse> texture_uses;
+    std::vector<ImageView> images;  // 0: white; then Scene::images
+    std::vector<GeometryData> geometries;
+    std::vector<GeometryView> geometry_views;        // beside `geometries`
+    std::vector<std::uint32_t> mesh_first_geometry;  // one more than meshes
+    std::vector<InstanceData> instances;
+    std::vector<LightData> lights;
+    std::vector<AliasEntry> light_alias;
+    std::vector<EmitterTriangle> emitters;
+    std::vector<AliasEntry> emitter_alias;
+    EnvironmentMap environment;
+    Bounds bounds;  // world space
+    // Flux into the scene, for sharing samples between kinds of light. 0: none of that kind.
+    float environment_power = 0;
+    float punctual_power = 0;
+    float emitter_power = 0;
+};
+
+// What of the scene's light is used.
+struct LightChoice {
+    bool punctual = true;
+    bool emitters = true;  // off: emission is still seen, but never sampled as a light
+};
+
+// Warns about what can't be drawn (instances scaled to nothing).
+FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice choice,
+                  Diagnostics& diagnostics);
+
+// Fills the light ranges and counts of `params` from the scene's lights, for params.strategy.
+void set_light_ranges(const FlatScene& scene, RenderParams& params);
+
+}  // namespace hm

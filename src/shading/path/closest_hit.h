@@ -1,0 +1,75 @@
+// The closest-hit stage: turns a hit into facts. Ray generation combines them.
+
+// Light sampling: direction, distance and the contribution if nothing stands between.
+HM_FN void shade_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) frame, vec3 ng,
+                              vec3 wo, HM_IN(uvec4) numbers) {
+    LightSample light;
+    sample_light(numbers.x, numbers.y, unit_float(numbers.z), unit_float(numbers.w), p.next_origin,
+                 light);
+    if (!(light.pdf > 0.0f) || dot(light.wi, ng) <= 0.0f) return;
+    float pdf_bsdf;
+    vec3 f = eval_bsdf(b, wo, to_local(frame, light.wi), pdf_bsdf);
+    float weight = 1.0f;
+    if (!light.punctual && params.strategy == kStrategyMis)
+        weight = mis_weight(light.pdf, pdf_bsdf);
+    p.light_direction = light.wi;
+    p.light_distance = light.distance;
+    p.light_contribution = f * light.radiance * (weight / light.pdf);
+}
+
+// BSDF sampling: where the path goes on, and by how much it is dimmed.
+HM_FN void shade_scatter(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) frame, vec3 ng,
+                         vec3 wo, HM_IN(uvec4) numbers) {
+    vec3 wi =
+        sample_bsdf(b, wo, unit_float(numbers.x), unit_float(numbers.y), unit_float(numbers.z));
+    float pdf;
+    vec3 f = eval_bsdf(b, wo, wi, pdf);
+    p.next_direction = to_world(frame, wi);
+    p.pdf = pdf;
+    p.weight = vec3(0.0f);
+    if (pdf > 0.0f && dot(p.next_direction, ng) > 0.0f) p.weight = f / pdf;
+}
+
+HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, float hit_distance,
+                       vec2 barycentrics, vec3 direction) {
+    Surface s;
+    load_surface(ids, barycentrics, direction, s);
+    HM_ROW(MaterialData) m = materials[s.material];
+    p.hit_distance = hit_distance;
+    p.passed_through = 0u;
+    p.emitted = vec3(0.0f);
+    p.emitted_pdf = 0.0f;
+    p.weight = vec3(0.0f);
+    p.light_contribution = vec3(0.0f);
+    bool two_sided = (m.flags & kMaterialDoubleSided) != 0u;
+    if (p.bounce == 0u && !s.front && !two_sided) {
+        p.passed_through = 1u;
+        p.next_origin = offset_ray_origin(s.position, -s.ng);
+        return;
+    }
+    if (s.front || two_sided) {
+        p.emitted = emitted_radiance(m, s.uv0, s.uv1, s.color);
+        if (p.bounce > 0u && max_component(p.emitted) > 0.0f)
+            p.emitted_pdf = pdf_emitter(ids, s.geometry, hit_distance, -dot(s.ng, direction));
+    }
+    bool last = params.max_bounces != 0u && p.bounce >= params.max_bounces;
+    if (last || (m.flags & kMaterialUnlit) != 0u) return;
+
+    vec4 base = base_color(m, s.uv0, s.uv1, s.color);
+    vec4 metallic_roughness = sample_texture(m.metallic_roughness_texture, s.uv0, s.uv1);
+    Frame frame;
+    make_frame(s.ns, frame);
+    vec3 wo = to_local(frame, -direction);
+    Bsdf b;
+    make_bsdf(vec3(base.x, base.y, base.z), saturate(m.metallic_factor * metallic_roughness.z),
+              m.roughness_factor * metallic_roughness.y, m.specular_weight, wo.z, b);
+    p.next_origin = offset_ray_origin(s.position, s.ng);
+
+    SamplerState numbers;
+    begin_sample(p.pixel_x, p.pixel_y, p.index, numbers);
+    uint dimension = kDimensionBounce + 8u * p.bounce;
+    uvec4 scatter_numbers = sample_4d(numbers, dimension);
+    uvec4 light_numbers = sample_4d(numbers, dimension + 4u);
+    shade_light_sample(p, b, frame, s.ng, wo, light_numbers);
+    shade_scatter(p, b, frame, s.ng, wo, scatter_numbers);
+}

@@ -1,0 +1,122 @@
+// From ids and barycentrics to a shading point.
+//
+// Hooks: load_triangle and load_triangle_extras read a primitive of a geometry (index into
+// `geometries`). Tables: instances, geometries, materials.
+
+HM_HOOK(void load_triangle(uint geometry, uint primitive, HM_OUT(Triangle) triangle))
+HM_HOOK(void load_triangle_extras(uint geometry, uint primitive, HM_OUT(TriangleExtras) extras))
+
+struct Surface {
+    vec3 position;
+    vec3 ng;  // unit geometric normal, on the viewer's side
+    vec3 ns;  // unit shading normal
+    vec2 uv0;
+    vec2 uv1;
+    vec4 color;
+    bool front;
+    uint material;
+    uint geometry;
+};
+
+HM_FN vec3 transform_point(HM_IN(mat4x3) m, vec3 p) {
+    return m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
+}
+
+HM_FN vec3 transform_vector(HM_IN(mat4x3) m, vec3 v) {
+    return m[0] * v.x + m[1] * v.y + m[2] * v.z;
+}
+
+// Normals by the transposed inverse.
+HM_FN vec3 transform_normal(HM_IN(mat4x3) world_to_object, vec3 n) {
+    return vec3(dot(world_to_object[0], n), dot(world_to_object[1], n), dot(world_to_object[2], n));
+}
+
+// uv1 and colour, for materials that read them; both are constant without extras.
+HM_FN void load_extras(uint geometry, uint primitive, vec3 weights, HM_OUT(vec2) uv1,
+                       HM_OUT(vec4) color) {
+    uv1 = vec2(0.0f);
+    color = vec4(1.0f);
+    if ((geometries[geometry].flags & kGeometryHasExtras) == 0u) return;
+    TriangleExtras e;
+    load_triangle_extras(geometry, primitive, e);
+    uv1 = e.a.uv1 * weights.x + e.b.uv1 * weights.y + e.c.uv1 * weights.z;
+    color = e.a.color * weights.x + e.b.color * weights.y + e.c.color * weights.z;
+}
+
+// The tangent and bitangent of the texture's u and v where a file brings none.
+HM_FN void derive_tangent(HM_IN(Triangle) t, vec2 uv_a, vec2 uv_b, vec2 uv_c,
+                          HM_OUT(vec4) tangent) {
+    vec3 edge1 = t.b.position - t.a.position;
+    vec3 edge2 = t.c.position - t.a.position;
+    vec2 d1 = uv_b - uv_a;
+    vec2 d2 = uv_c - uv_a;
+    float area = d1.x * d2.y - d1.y * d2.x;
+    vec3 direction = (edge1 * d2.y - edge2 * d1.y) * (area < 0.0f ? -1.0f : 1.0f);
+    tangent = vec4(direction.x, direction.y, direction.z, area < 0.0f ? -1.0f : 1.0f);
+}
+
+// The normal map's normal in world space. z is rebuilt from x and y; `normal_scale` scales those.
+HM_FN vec3 map_normal(HM_IN(MaterialData) m, HM_IN(InstanceData) instance, HM_IN(Surface) s,
+                      vec4 tangent_object) {
+    vec3 t = transform_vector(instance.object_to_world,
+                              vec3(tangent_object.x, tangent_object.y, tangent_object.z));
+    t = t - s.ns * dot(s.ns, t);
+    float length_squared = dot(t, t);
+    if (!(length_squared > 1e-30f)) return s.ns;
+    t = t * inversesqrt(length_squared);
+    float mirrored = (instance.flags & kInstanceFlipped) != 0u ? -1.0f : 1.0f;
+    vec3 b = cross(s.ns, t) * (tangent_object.w * mirrored);
+    vec4 texel = sample_texture(m.normal_texture, s.uv0, s.uv1);
+    float x = 2.0f * texel.x - 1.0f;
+    float y = 2.0f * texel.y - 1.0f;
+    float z = sqrt(max(1.0f - x * x - y * y, 0.0f));
+    vec3 n = t * (x * m.normal_scale) + b * (y * m.normal_scale) + s.ns * max(z, 1e-3f);
+    return normalize(n);
+}
+
+// Everything about the point but its material's values. `direction` is the ray's.
+HM_FN void load_surface(HM_IN(HitIds) ids, vec2 barycentrics, vec3 direction, HM_OUT(Surface) s) {
+    HM_ROW(InstanceData) instance = instances[ids.instance];
+    s.geometry = instance.first_geometry + ids.geometry;
+    HM_ROW(GeometryData) geometry = geometries[s.geometry];
+    s.material = geometry.material;
+    Triangle t;
+    load_triangle(s.geometry, ids.primitive, t);
+    vec3 weights = vec3(1.0f - barycentrics.x - barycentrics.y, barycentrics.x, barycentrics.y);
+    s.position = transform_point(
+        instance.object_to_world,
+        t.a.position * weights.x + t.b.position * weights.y + t.c.position * weights.z);
+    vec3 edge1 = transform_vector(instance.object_to_world, t.b.position - t.a.position);
+    vec3 edge2 = transform_vector(instance.object_to_world, t.c.position - t.a.position);
+    s.ng = normalize(cross(edge1, edge2));
+    if ((instance.flags & kInstanceFlipped) != 0u) s.ng = -s.ng;
+    s.front = dot(s.ng, direction) < 0.0f;
+    s.uv0 = t.a.uv0 * weights.x + t.b.uv0 * weights.y + t.c.uv0 * weights.z;
+    load_extras(s.geometry, ids.primitive, weights, s.uv1, s.color);
+
+    s.ns = s.ng;
+    if ((geometry.flags & kGeometryHasNormals) != 0u) {
+        vec3 n = t.a.normal * weights.x + t.b.normal * weights.y + t.c.normal * weights.z;
+        n = transform_normal(instance.world_to_object, n);
+        float length_squared = dot(n, n);
+        if (length_squared > 1e-30f) s.ns = n * inversesqrt(length_squared);
+    }
+    if ((geometry.flags & kGeometryNormalMapped) != 0u) {
+        vec4 tangent;
+        if ((geometry.flags & kGeometryHasTangents) != 0u) {
+            vec4 ta = t.a.tangent * weights.x + t.b.tangent * weights.y + t.c.tangent * weights.z;
+            tangent = vec4(ta.x, ta.y, ta.z, ta.w < 0.0f ? -1.0f : 1.0f);
+        } else {
+            derive_tangent(t, t.a.uv0, t.b.uv0, t.c.uv0, tangent);
+        }
+        s.ns = map_normal(materials[s.material], instance, s, tangent);
+    }
+    if (!s.front) {
+        s.ng = -s.ng;
+        s.ns = -s.ns;
+    }
+    // A shading normal that faces away from its own side is a modelling error: mirror it back.
+    float aligned = dot(s.ns, s.ng);
+    if (aligned < 0.0f) s.ns = normalize(s.ns - 2.0f * aligned * s.ng);
+    s.ns = bend_shading_normal(s.ns, s.ng, -direction);
+}

@@ -1,0 +1,17 @@
+// Everything in shading/ that needs no tables: pure functions and the types the stages share.
+#ifndef HM_SHADING_SHADING_H
+#define HM_SHADING_SHADING_H
+
+#include "shading/camera.h"
+#include "shading/color.h"
+#include "shading/frame.h"
+#include "shading/geometry.h"
+#include "shading/ggx.h"
+#include "shading/lights.h"
+#include "shading/math.h"
+#include "shading/path/types.h"
+#include "shading/rng.h"
+#include "shading/structs.h"
+#include "shading/warp.h"
+
+#endif
