@@ -30,6 +30,6 @@ fi
 cmake --preset "$preset" --log-level=WARNING -DHIMALAYA_TESTS=ON
 cmake --build --preset "$preset" -j "$(nproc)"
 if [ "$preset" = release ]; then
-    NODE_PATH=$PWD/build/npm/node_modules node tests/validate_gltf.mjs scenes/*.glb
+    GLTF_VALIDATOR_HOME=$PWD/build/npm node tests/validate_gltf.mjs scenes/*.glb
 fi
 ctest --preset "$preset" --no-tests=error -j "$(nproc)" "${labels[@]}"
