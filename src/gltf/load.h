@@ -9,8 +9,8 @@
 
 namespace hm {
 
-// Reads a .glb or .gltf file (told by content), its buffers and images (embedded, beside the file or
-// as data URIs). Every error carries the JSON pointer of the offending value. Codes: unreadable
+// Reads a .glb or .gltf file (told by content), its buffers and images (embedded, beside the file
+// or as data URIs). Every error carries the JSON pointer of the offending value. Codes: unreadable
 // (a file is missing), invalid (a rule of the format is broken), unsupported (extensionsRequired).
 // What the specification lets a renderer tolerate goes to `diagnostics`.
 Result<Scene> load_gltf(const std::filesystem::path& path, Diagnostics& diagnostics);

@@ -1,0 +1,93 @@
+#include "gltf/asset.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace hm::gltf {
+namespace {
+
+constexpr std::string_view kVariants = "KHR_materials_variants";
+constexpr std::array<std::string_view, 4> kSupported{
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
+    "KHR_texture_transform"};
+
+bool is_supported(std::string_view extension) {
+    return std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();
+}
+
+struct Version {
+    unsigned major = 0;
+    unsigned minor = 0;
+};
+
+// "2.0": two numbers with a point between them.
+std::optional<Version> parse_version(std::string_view text) {
+    Version version;
+    const char* const end = text.data() + text.size();
+    const auto major = std::from_chars(text.data(), end, version.major);
+    if (major.ec != std::errc() || major.ptr == end || *major.ptr != '.') return std::nullopt;
+    const auto minor = std::from_chars(major.ptr + 1, end, version.minor);
+    if (minor.ec != std::errc() || minor.ptr != end) return std::nullopt;
+    return version;
+}
+
+Result<std::optional<Version>> read_version(const Json& asset, std::string_view key) {
+    HM_TRY_ASSIGN(const auto text, asset.text(key));
+    if (!text) return std::nullopt;
+    const auto version = parse_version(*text);
+    if (!version) return asset.invalid(key, fmt::format("{} is no version", excerpt(*text)));
+    return version;
+}
+
+}  // namespace
+
+Result<void> check_asset(const Json& root) {
+    HM_TRY_ASSIGN(const Json asset, root.required("asset", root.object("asset")));
+    HM_TRY_ASSIGN(const Version version, asset.required("version", read_version(asset, "version")));
+    if (version.major != 2)
+        return asset.fail(
+            ExitCode::unsupported, "version",
+            fmt::format("glTF {}.{}; only 2.x is read", version.major, version.minor));
+    HM_TRY_ASSIGN(const auto least, read_version(asset, "minVersion"));
+    if (least && (least->major != 2 || least->minor > 0))
+        return asset.fail(ExitCode::unsupported, "minVersion",
+                          fmt::format("the file needs glTF {}.{}; this program knows 2.0",
+                                      least->major, least->minor));
+    return {};
+}
+
+Result<void> check_extensions(const Json& root, Source& source) {
+    HM_TRY_ASSIGN(const auto required, root.texts("extensionsRequired"));
+    std::string missing;
+    for (const std::string_view name : required) {
+        if (is_supported(name)) continue;
+        if (!missing.empty()) missing += ", ";
+        missing += name;
+    }
+    if (!missing.empty())
+        return root.fail(ExitCode::unsupported, "extensionsRequired",
+                         fmt::format("required but not supported: {}", missing));
+
+    HM_TRY_ASSIGN(const auto used, root.texts("extensionsUsed"));
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (!is_supported(used[i]) && used[i] != kVariants)
+            source.warn(fmt::format("/extensionsUsed/{}", i),
+                        fmt::format("extension {} is not supported and ignored", excerpt(used[i])));
+    HM_TRY_ASSIGN(const auto variants, root.extension(kVariants));
+    if (variants) {
+        HM_TRY_ASSIGN(const auto items, variants->objects("variants"));
+        source.warn(variants->place(), fmt::format("material variants: {}; the materials without a "
+                                                   "variant are used",
+                                                   items.size()));
+    }
+    HM_TRY_ASSIGN(const auto animations, root.objects("animations"));
+    if (!animations.empty())
+        source.warn("/animations",
+                    fmt::format("animations: {}; they are not played", animations.size()));
+    return {};
+}
+
+}  // namespace hm::gltf

@@ -1,0 +1,15 @@
+// Whether this file is one for us: glTF's version and the extensions it asks for.
+#pragma once
+
+#include "gltf/json.h"
+#include "gltf/source.h"
+
+namespace hm::gltf {
+
+Result<void> check_asset(const Json& root);
+
+// Fails if the file requires an extension that is not supported, warns of those it merely uses and
+// of animations and variants, which are not played.
+Result<void> check_extensions(const Json& root, Source& source);
+
+}  // namespace hm::gltf

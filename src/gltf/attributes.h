@@ -1,0 +1,33 @@
+// A primitive's vertices from its attributes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gltf/json.h"
+#include "gltf/source.h"
+#include "scene/scene.h"
+
+namespace hm::gltf {
+
+// The accessors of one primitive, their types checked and their counts equal.
+struct Attributes {
+    std::size_t position = 0;
+    std::optional<std::size_t> normal;
+    std::optional<std::size_t> tangent;  // only with normals
+    std::optional<std::size_t> uv0;
+    std::optional<std::size_t> uv1;
+    std::optional<std::size_t> color;
+    std::uint32_t count = 0;
+};
+
+// Nothing where there are no positions (a warning says so).
+Result<std::optional<Attributes>> read_attributes(const Json& primitive, Source& source);
+
+// Bytes that the vertices take in the scene.
+std::uint64_t vertex_bytes(const Attributes& attributes);
+
+// Fills vertices, extras, has_normals and has_tangents.
+Result<void> read_vertices(const Attributes& attributes, Source& source, Primitive& primitive);
+
+}  // namespace hm::gltf

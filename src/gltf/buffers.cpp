@@ -1,0 +1,111 @@
+// Buffers and buffer views (glTF 2.0, 3.6.1).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/files.h"
+#include "gltf/source.h"
+#include "gltf/uri.h"
+
+namespace hm::gltf {
+namespace {
+
+// GLB: the first buffer, if it names no source, is the BIN chunk.
+std::optional<std::span<const std::byte>> chunk_of(const Source& source, std::size_t buffer) {
+    return buffer == 0 ? source.binary : std::nullopt;
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> read_uri(const Source& source, const Json& owner,
+                                        std::string_view uri) {
+    if (is_data_uri(uri)) {
+        auto bytes = decode_data_uri(uri);
+        if (!bytes) return owner.invalid("uri", bytes.error());
+        return std::move(*bytes);
+    }
+    const auto path = decode_path(uri);
+    if (!path) return owner.invalid("uri", fmt::format("{}: {}", excerpt(uri), path.error()));
+    auto bytes = read_file(source.folder / *path);
+    if (!bytes)
+        return owner.fail(ExitCode::unreadable, "uri",
+                          fmt::format("{}: {}", excerpt(path->string()), bytes.error().message));
+    return std::move(*bytes);
+}
+
+Result<void> read_buffers(const Json& root, Source& source) {
+    HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("buffers"));
+    source.storage.reserve(items.size());  // spans into the elements must survive growth
+    std::map<std::string_view, std::span<const std::byte>> read;  // a file named twice is read once
+    for (const Json& item : items) {
+        Buffer buffer;
+        HM_TRY_ASSIGN(buffer.length, item.required("byteLength", item.integer("byteLength")));
+        if (buffer.length == 0) return item.invalid("byteLength", "must not be 0");
+        HM_TRY_ASSIGN(const auto uri, item.text("uri"));
+        std::optional<std::span<const std::byte>> bytes = chunk_of(source, source.buffers.size());
+        if (uri) {
+            const auto [known, is_new] = read.try_emplace(*uri);
+            if (is_new) {
+                HM_TRY_ASSIGN(auto content, read_uri(source, item, *uri));
+                known->second = source.storage.emplace_back(std::move(content));
+            }
+            bytes = known->second;
+        }
+        if (bytes && bytes->size() < buffer.length)
+            return item.invalid("byteLength", fmt::format("{} bytes, but there are only {}",
+                                                          buffer.length, bytes->size()));
+        if (bytes) buffer.bytes = bytes->first(buffer.length);
+        source.buffers.push_back(buffer);
+    }
+    return {};
+}
+
+void set_budget(Source& source, std::uint64_t file_bytes) {
+    // Decoding makes at most 7 bytes from one where nothing is used twice. Shared vertex data and
+    // meshes of many primitives take more; the floor leaves small files alone.
+    constexpr std::uint64_t kFactor = 256;
+    constexpr std::uint64_t kFloor = 1ull << 30;
+    constexpr std::uint64_t kWork = 1ull << 36;  // a minute or so
+    std::uint64_t bytes = file_bytes;
+    for (const auto& content : source.storage)
+        bytes += content.size();
+    source.budget.kept_bytes = std::max(kFloor, kFactor * bytes);
+    source.budget.decoded_bytes = std::max(kWork, kFactor * bytes);
+}
+
+Result<void> read_buffer_views(const Json& root, Source& source) {
+    HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("bufferViews"));
+    for (const Json& item : items) {
+        BufferView view;
+        HM_TRY_ASSIGN(
+            view.buffer,
+            item.required("buffer", item.index("buffer", source.buffers.size(), "buffers")));
+        HM_TRY_ASSIGN(const auto offset, item.integer("byteOffset"));
+        view.offset = offset.value_or(0);
+        HM_TRY_ASSIGN(view.length, item.required("byteLength", item.integer("byteLength")));
+        const std::uint64_t available = source.buffers[view.buffer].length;
+        if (view.length == 0) return item.invalid("byteLength", "must not be 0");
+        if (view.offset > available || view.length > available - view.offset)
+            return item.invalid("", fmt::format("bytes {} to {} of a buffer of {}", view.offset,
+                                                view.offset + view.length, available));
+        HM_TRY_ASSIGN(const auto stride, item.integer("byteStride"));
+        if (stride && (*stride < 4 || *stride > 252 || *stride % 4 != 0))
+            return item.invalid("byteStride",
+                                fmt::format("{} is not a multiple of 4 from 4 to 252", *stride));
+        view.stride = static_cast<std::uint32_t>(stride.value_or(0));
+        source.views.push_back(view);
+    }
+    return {};
+}
+
+Result<std::span<const std::byte>> view_bytes(const Source& source, std::size_t view) {
+    const BufferView& at = source.views[view];
+    const Buffer& buffer = source.buffers[at.buffer];
+    if (!buffer.bytes)
+        return fail(ExitCode::invalid, source.file, fmt::format("/buffers/{}", at.buffer),
+                    "has neither a uri nor a GLB chunk, but its data is used");
+    return buffer.bytes->subspan(at.offset, at.length);
+}
+
+}  // namespace hm::gltf

@@ -1,0 +1,136 @@
+#include "gltf/cameras_lights.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace hm::gltf {
+namespace {
+
+constexpr float kPi = 3.14159265358979f;
+
+Result<float> required_number(const Json& json, std::string_view key) {
+    return json.required(key, json.number(key));
+}
+
+Result<void> read_perspective(const Json& json, Camera& camera) {
+    camera.perspective = true;
+    HM_TRY_ASSIGN(camera.yfov, required_number(json, "yfov"));
+    if (camera.yfov <= 0 || camera.yfov >= kPi)
+        return json.invalid("yfov", fmt::format("{} is not between 0 and pi", camera.yfov));
+    HM_TRY_ASSIGN(const auto aspect_ratio, json.number("aspectRatio"));
+    if (aspect_ratio && *aspect_ratio <= 0) return json.invalid("aspectRatio", "must be positive");
+    camera.aspect_ratio = aspect_ratio.value_or(0);
+    // Nothing is clipped, but a file that breaks these rules is broken.
+    HM_TRY_ASSIGN(const float near, required_number(json, "znear"));
+    if (near <= 0) return json.invalid("znear", "must be positive");
+    HM_TRY_ASSIGN(const auto far, json.number("zfar"));
+    if (far && *far <= near) return json.invalid("zfar", "must be greater than znear");
+    return {};
+}
+
+Result<void> read_orthographic(const Json& json, Source& source, Camera& camera) {
+    camera.perspective = false;
+    HM_TRY_ASSIGN(camera.xmag, required_number(json, "xmag"));
+    HM_TRY_ASSIGN(camera.ymag, required_number(json, "ymag"));
+    if (camera.xmag == 0) return json.invalid("xmag", "must not be 0");
+    if (camera.ymag == 0) return json.invalid("ymag", "must not be 0");
+    if (camera.xmag < 0 || camera.ymag < 0)
+        source.warn(json.place(), "negative magnification; its absolute value is used");
+    camera.xmag = std::abs(camera.xmag);
+    camera.ymag = std::abs(camera.ymag);
+    HM_TRY_ASSIGN(const float near, required_number(json, "znear"));
+    HM_TRY_ASSIGN(const float far, required_number(json, "zfar"));
+    if (near < 0) return json.invalid("znear", "must not be negative");
+    if (far <= near) return json.invalid("zfar", "must be greater than znear");
+    return {};
+}
+
+Result<Camera> read_camera(const Json& item, Source& source) {
+    Camera camera;
+    HM_TRY_ASSIGN(camera.name, item.name());
+    HM_TRY_ASSIGN(const std::string_view type, item.required("type", item.text("type")));
+    if (type != "perspective" && type != "orthographic")
+        return item.invalid("type", fmt::format("{} is no camera", excerpt(type)));
+    HM_TRY_ASSIGN(const Json json, item.required(type, item.object(type)));
+    if (type == "perspective")
+        HM_TRY(read_perspective(json, camera));
+    else
+        HM_TRY(read_orthographic(json, source, camera));
+    return camera;
+}
+
+Result<void> read_spot(const Json& item, Source& source, Light& light) {
+    HM_TRY_ASSIGN(const Json spot, item.required("spot", item.object("spot")));
+    HM_TRY_ASSIGN(light.inner_cone, spot.number_or("innerConeAngle", 0));
+    HM_TRY_ASSIGN(light.outer_cone, spot.number_or("outerConeAngle", kPi / 4));
+    if (light.inner_cone < 0) return spot.invalid("innerConeAngle", "must not be negative");
+    // Files round pi / 2 either way.
+    if (light.outer_cone > kPi / 2 * 1.000001f)
+        return spot.invalid("outerConeAngle", "must not be greater than pi / 2");
+    if (light.outer_cone < light.inner_cone || light.outer_cone <= 0)
+        return spot.invalid("outerConeAngle", "must be greater than innerConeAngle");
+    // Against the extension's letter, but written for hard-edged spots and clear in meaning.
+    if (light.outer_cone == light.inner_cone)
+        source.warn(spot.place(), "the cone angles are equal; the edge is hard");
+    return {};
+}
+
+Result<Light> read_light(const Json& item, Source& source) {
+    Light light;
+    HM_TRY_ASSIGN(light.name, item.name());
+    HM_TRY_ASSIGN(const std::string_view type, item.required("type", item.text("type")));
+    if (type == "directional")
+        light.kind = kLightDirectional;
+    else if (type == "point")
+        light.kind = kLightPoint;
+    else if (type == "spot")
+        light.kind = kLightSpot;
+    else
+        return item.invalid("type", fmt::format("{} is no light", excerpt(type)));
+
+    std::array<float, 3> color{1, 1, 1};
+    HM_TRY(item.numbers("color", color));
+    for (const float component : color) {
+        if (component < 0) return item.invalid("color", "must not be negative");
+        if (component > 1) source.warn(item.place_of("color"), "above 1, kept as it is");
+    }
+    light.color = vec3(color[0], color[1], color[2]);
+    HM_TRY_ASSIGN(light.intensity, item.number_or("intensity", 1));
+    if (light.intensity < 0) return item.invalid("intensity", "must not be negative");
+    const vec3 power = light.color * light.intensity;
+    if (!std::isfinite(power.x + power.y + power.z))
+        return item.invalid("intensity", "times the colour does not fit a 32-bit float");
+    HM_TRY_ASSIGN(const auto range, item.number("range"));
+    if (range && *range <= 0) return item.invalid("range", "must be positive");
+    light.range = range.value_or(0);
+    if (light.kind == kLightSpot) HM_TRY(read_spot(item, source, light));
+    return light;
+}
+
+}  // namespace
+
+Result<std::vector<Camera>> read_cameras(const Json& root, Source& source) {
+    HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("cameras"));
+    std::vector<Camera> cameras;
+    for (const Json& item : items) {
+        HM_TRY_ASSIGN(Camera camera, read_camera(item, source));
+        cameras.push_back(std::move(camera));
+    }
+    return cameras;
+}
+
+Result<std::vector<Light>> read_lights(const Json& root, Source& source) {
+    std::vector<Light> lights;
+    HM_TRY_ASSIGN(const auto extension, root.extension("KHR_lights_punctual"));
+    if (!extension) return lights;
+    HM_TRY_ASSIGN(const std::vector<Json> items, extension->objects("lights"));
+    for (const Json& item : items) {
+        HM_TRY_ASSIGN(Light light, read_light(item, source));
+        lights.push_back(std::move(light));
+    }
+    return lights;
+}
+
+}  // namespace hm::gltf

@@ -1,0 +1,83 @@
+#include "gltf/container.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+namespace hm::gltf {
+namespace {
+
+constexpr std::uint32_t kMagic = 0x46546c67;        // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a;    // "JSON"
+constexpr std::uint32_t kBinaryChunk = 0x004e4942;  // "BIN\0"
+constexpr std::size_t kHeaderSize = 12;
+constexpr std::size_t kChunkHeaderSize = 8;
+
+std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        value |= std::to_integer<std::uint32_t>(bytes[at + i]) << (8 * i);
+    return value;
+}
+
+tl::unexpected<Error> broken(const std::string& file, std::size_t at, std::string message) {
+    return fail(ExitCode::invalid, file, fmt::format("byte {}", at), std::move(message));
+}
+
+// The file's bytes as far as the header says they are the container's.
+Result<std::span<const std::byte>> check_header(std::span<const std::byte> bytes,
+                                                const std::string& file, Diagnostics& diagnostics) {
+    if (bytes.size() < kHeaderSize)
+        return broken(file, bytes.size(), "the GLB header is cut short");
+    const std::uint32_t version = little_endian(bytes, 4);
+    if (version != 2)
+        return fail(ExitCode::unsupported, file, "byte 4",
+                    fmt::format("GLB version {}; only 2 is read", version));
+    const std::uint32_t length = little_endian(bytes, 8);
+    if (length > bytes.size())
+        return broken(
+            file, 8,
+            fmt::format("the GLB header says {} bytes, the file has {}", length, bytes.size()));
+    if (length < kHeaderSize)
+        return broken(file, 8, fmt::format("the GLB header says {} bytes in all", length));
+    if (length < bytes.size())
+        diagnostics.warn(file, fmt::format("byte {}", length), "bytes after the GLB's end");
+    return bytes.first(length);
+}
+
+}  // namespace
+
+Result<Container> split_container(std::span<const std::byte> bytes, const std::string& file,
+                                  Diagnostics& diagnostics) {
+    if (bytes.size() < 4 || little_endian(bytes, 0) != kMagic) return Container{bytes, {}};
+    HM_TRY_ASSIGN(bytes, check_header(bytes, file, diagnostics));
+
+    Container parts;
+    std::size_t at = kHeaderSize;
+    for (std::size_t number = 0; at < bytes.size(); ++number) {
+        if (bytes.size() - at < kChunkHeaderSize)
+            return broken(file, at, "a GLB chunk's header is cut short");
+        const std::size_t length = little_endian(bytes, at);
+        const std::uint32_t type = little_endian(bytes, at + 4);
+        if (length > bytes.size() - at - kChunkHeaderSize)
+            return broken(file, at, fmt::format("a GLB chunk of {} bytes passes the end", length));
+        if (length % 4 != 0)
+            return broken(file, at,
+                          fmt::format("a GLB chunk's length, {}, is not a multiple of 4", length));
+        const auto content = bytes.subspan(at + kChunkHeaderSize, length);
+        if (number == 0 && type != kJsonChunk)
+            return broken(file, at, "the GLB's first chunk is not JSON");
+        if (number == 0) {
+            parts.json = content;
+        } else if (number == 1 && type == kBinaryChunk) {
+            parts.binary = content;
+        } else {
+            diagnostics.warn(file, fmt::format("byte {}", at), "GLB chunk of unknown use, skipped");
+        }
+        at += kChunkHeaderSize + length;
+    }
+    if (parts.json.empty()) return broken(file, at, "the GLB has no JSON");
+    return parts;
+}
+
+}  // namespace hm::gltf

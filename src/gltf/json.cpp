@@ -1,0 +1,252 @@
+#include "gltf/json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hm::gltf {
+namespace {
+
+namespace dom = simdjson::dom;
+
+constexpr double kMaxInteger = 9007199254740992.0;  // 2^53: every integer below is a double
+
+std::string_view type_name(dom::element_type type) {
+    switch (type) {
+        case dom::element_type::ARRAY:
+            return "an array";
+        case dom::element_type::OBJECT:
+            return "an object";
+        case dom::element_type::STRING:
+            return "a string";
+        case dom::element_type::BOOL:
+            return "a boolean";
+        case dom::element_type::NULL_VALUE:
+            return "null";
+        case dom::element_type::INT64:
+        case dom::element_type::UINT64:
+        case dom::element_type::DOUBLE:
+            return "a number";
+    }
+    return "something else";
+}
+
+std::string element_place(std::string_view array_place, std::size_t i) {
+    return fmt::format("{}/{}", array_place, i);
+}
+
+}  // namespace
+
+std::string excerpt(std::string_view text) {
+    constexpr std::size_t kLongest = 100;
+    if (text.size() <= kLongest) return fmt::format("\"{}\"", text);
+    return fmt::format("\"{}...\"", text.substr(0, kLongest));
+}
+
+std::string Json::place_of(std::string_view key) const {
+    return key.empty() ? place_ : fmt::format("{}/{}", place_, key);
+}
+
+bool Json::has(std::string_view key) const {
+    return find(key).has_value();
+}
+
+tl::unexpected<Error> Json::fail(ExitCode code, std::string_view key, std::string message) const {
+    return hm::fail(code, *file_, place_of(key), std::move(message));
+}
+
+tl::unexpected<Error> Json::invalid(std::string_view key, std::string message) const {
+    return fail(ExitCode::invalid, key, std::move(message));
+}
+
+tl::unexpected<Error> Json::mistyped(std::string place, std::string_view expected,
+                                     dom::element found) const {
+    return hm::fail(ExitCode::invalid, *file_, std::move(place),
+                    fmt::format("expected {}, found {}", expected, type_name(found.type())));
+}
+
+std::optional<dom::element> Json::find(std::string_view key) const {
+    dom::element found;
+    if (value_.at_key(key).get(found) != simdjson::SUCCESS) return std::nullopt;
+    return found;
+}
+
+Result<std::optional<dom::array>> Json::array(std::string_view key) const {
+    const auto found = find(key);
+    if (!found) return std::nullopt;
+    dom::array values;
+    if (found->get(values) != simdjson::SUCCESS) return mistyped(place_of(key), "an array", *found);
+    return values;
+}
+
+Result<std::optional<Json>> Json::object(std::string_view key) const {
+    const auto found = find(key);
+    if (!found) return std::nullopt;
+    if (!found->is_object()) return mistyped(place_of(key), "an object", *found);
+    return Json(*found, place_of(key), file_);
+}
+
+Result<std::optional<Json>> Json::extension(std::string_view name) const {
+    HM_TRY_ASSIGN(const std::optional<Json> extensions, object("extensions"));
+    if (!extensions) return std::nullopt;
+    return extensions->object(name);
+}
+
+Result<std::vector<Json>> Json::objects(std::string_view key) const {
+    HM_TRY_ASSIGN(const auto values, array(key));
+    std::vector<Json> out;
+    if (!values) return out;
+    const std::string place = place_of(key);
+    for (const dom::element value : *values) {
+        std::string here = element_place(place, out.size());
+        if (!value.is_object()) return mistyped(std::move(here), "an object", value);
+        out.emplace_back(value, std::move(here), file_);
+    }
+    return out;
+}
+
+Result<std::vector<std::string_view>> Json::texts(std::string_view key) const {
+    HM_TRY_ASSIGN(const auto values, array(key));
+    std::vector<std::string_view> out;
+    if (!values) return out;
+    for (const dom::element value : *values) {
+        std::string_view text;
+        if (value.get(text) != simdjson::SUCCESS)
+            return mistyped(element_place(place_of(key), out.size()), "a string", value);
+        out.push_back(text);
+    }
+    return out;
+}
+
+Result<bool> Json::flag(std::string_view key) const {
+    const auto found = find(key);
+    if (!found) return false;
+    bool value = false;
+    if (found->get(value) != simdjson::SUCCESS) return mistyped(place_of(key), "a boolean", *found);
+    return value;
+}
+
+Result<std::optional<std::string_view>> Json::text(std::string_view key) const {
+    const auto found = find(key);
+    if (!found) return std::nullopt;
+    std::string_view value;
+    if (found->get(value) != simdjson::SUCCESS) return mistyped(place_of(key), "a string", *found);
+    return value;
+}
+
+Result<std::string> Json::name() const {
+    HM_TRY_ASSIGN(const auto value, text("name"));
+    return std::string(value.value_or(""));
+}
+
+Result<std::uint64_t> Json::to_integer(dom::element value, std::string place) const {
+    double number = 0;
+    if (value.get(number) != simdjson::SUCCESS)
+        return mistyped(std::move(place), "an integer", value);
+    if (number < 0 || number > kMaxInteger || number != std::floor(number))
+        return hm::fail(ExitCode::invalid, *file_, std::move(place),
+                        fmt::format("expected an integer from 0 to 2^53, found {}", number));
+    return static_cast<std::uint64_t>(number);
+}
+
+Result<float> Json::to_number(dom::element value, std::string place) const {
+    double number = 0;
+    if (value.get(number) != simdjson::SUCCESS)
+        return mistyped(std::move(place), "a number", value);
+    if (std::abs(number) > double{std::numeric_limits<float>::max()})
+        return hm::fail(ExitCode::invalid, *file_, std::move(place),
+                        fmt::format("{} does not fit a 32-bit float", number));
+    return static_cast<float>(number);
+}
+
+Result<std::optional<std::uint64_t>> Json::integer(std::string_view key) const {
+    const auto found = find(key);
+    if (!found) return std::nullopt;
+    return to_integer(*found, place_of(key));
+}
+
+Result<std::optional<std::size_t>> Json::index(std::string_view key, std::size_t count,
+                                               std::string_view what) const {
+    HM_TRY_ASSIGN(const auto value, integer(key));
+    if (!value) return std::nullopt;
+    if (*value >= count)
+        return invalid(key, fmt::format("{} is past the end of the {} {}", *value, count, what));
+    return static_cast<std::size_t>(*value);
+}
+
+Result<std::vector<std::size_t>> Json::indices(std::string_view key, std::size_t count,
+                                               std::string_view what) const {
+    HM_TRY_ASSIGN(const auto values, array(key));
+    std::vector<std::size_t> out;
+    if (!values) return out;
+    const std::string place = place_of(key);
+    for (const dom::element value : *values) {
+        std::string here = element_place(place, out.size());
+        HM_TRY_ASSIGN(const std::uint64_t index, to_integer(value, here));
+        if (index >= count)
+            return hm::fail(ExitCode::invalid, *file_, std::move(here),
+                            fmt::format("{} is past the end of the {} {}", index, count, what));
+        out.push_back(static_cast<std::size_t>(index));
+    }
+    return out;
+}
+
+Result<std::optional<float>> Json::number(std::string_view key) const {
+    const auto found = find(key);
+    if (!found) return std::nullopt;
+    return to_number(*found, place_of(key));
+}
+
+Result<float> Json::number_or(std::string_view key, float fallback) const {
+    HM_TRY_ASSIGN(const auto value, number(key));
+    return value.value_or(fallback);
+}
+
+Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
+    HM_TRY_ASSIGN(const auto values, array(key));
+    if (!values) return false;
+    std::vector<float> read;
+    for (const dom::element value : *values) {
+        HM_TRY_ASSIGN(const float number,
+                      to_number(value, element_place(place_of(key), read.size())));
+        read.push_back(number);
+    }
+    if (read.size() != out.size())
+        return invalid(key, fmt::format("expected {} numbers, found {}", out.size(), read.size()));
+    std::copy(read.begin(), read.end(), out.begin());
+    return true;
+}
+
+Result<Json> parse_json(dom::parser& parser, std::span<const std::byte> text,
+                        const std::string& file) {
+    const auto reject = [&](std::string message) {
+        return hm::fail(ExitCode::invalid, file, "", std::move(message));
+    };
+    const auto byte = [&](std::size_t i) { return std::to_integer<unsigned>(text[i]); };
+    if (text.size() >= 3 && byte(0) == 0xEF && byte(1) == 0xBB && byte(2) == 0xBF)
+        return reject("starts with a byte order mark, which glTF forbids");
+    if (text.size() >= 2 && (byte(0) == 0xFF || byte(0) == 0xFE) && byte(0) + byte(1) == 0x1FD)
+        return reject("is UTF-16 text; glTF is UTF-8");
+
+    if (text.empty()) return reject("is empty");
+    simdjson::error_code status = parser.allocate(text.size(), kMaxJsonDepth);
+    dom::element root;
+    if (status == simdjson::SUCCESS)
+        // The copy it makes gives the text the padding that simdjson reads past the end.
+        status =
+            parser.parse(reinterpret_cast<const char*>(text.data()), text.size(), true).get(root);
+    if (status == simdjson::DEPTH_ERROR)
+        return reject(fmt::format("is nested more than {} levels deep", kMaxJsonDepth));
+    if (status == simdjson::UTF8_ERROR) return reject("is not valid UTF-8");
+    if (status == simdjson::EMPTY) return reject("is empty");
+    if (status == simdjson::MEMALLOC)
+        return hm::fail(ExitCode::unreadable, file, "", "its JSON does not fit in memory");
+    if (status != simdjson::SUCCESS)
+        return reject(fmt::format("is not valid JSON: {}", simdjson::error_message(status)));
+    if (!root.is_object()) return reject("is not a glTF file: its JSON is no object");
+    return Json(root, "", &file);
+}
+
+}  // namespace hm::gltf

@@ -1,0 +1,65 @@
+// The order of loading: container, JSON, tables of bytes, then what the scene is made of.
+#include "gltf/load.h"
+
+#include <new>
+
+#include "base/files.h"
+#include "gltf/asset.h"
+#include "gltf/cameras_lights.h"
+#include "gltf/container.h"
+#include "gltf/images.h"
+#include "gltf/json.h"
+#include "gltf/materials.h"
+#include "gltf/meshes.h"
+#include "gltf/nodes.h"
+#include "gltf/source.h"
+
+namespace hm {
+namespace {
+
+std::vector<bool> used_materials(const Scene& scene) {
+    std::vector<bool> used(scene.materials.size(), false);
+    for (const Mesh& mesh : scene.meshes)
+        for (const Primitive& primitive : mesh.primitives)
+            if (primitive.material != kUnset) used[std::size_t(primitive.material)] = true;
+    return used;
+}
+
+Result<Scene> load(const std::filesystem::path& path, Diagnostics& diagnostics) {
+    using namespace gltf;
+    const std::string file = path.string();
+    HM_TRY_ASSIGN(const auto bytes, read_file(path));
+    HM_TRY_ASSIGN(const Container container, split_container(bytes, file, diagnostics));
+    simdjson::dom::parser parser;
+    HM_TRY_ASSIGN(const Json root, parse_json(parser, container.json, file));
+    HM_TRY(check_asset(root));
+
+    Source source{file, path.parent_path(), diagnostics, container.binary, {}, {}, {}, {}, {}};
+    HM_TRY(check_extensions(root, source));
+    HM_TRY(read_buffers(root, source));
+    HM_TRY(read_buffer_views(root, source));
+    HM_TRY(read_accessors(root, source));
+    set_budget(source, bytes.size());
+
+    Scene scene;
+    scene.file = file;
+    HM_TRY_ASSIGN(scene.materials, read_materials(root, source));
+    HM_TRY_ASSIGN(scene.meshes, read_meshes(root, source, scene.materials));
+    HM_TRY_ASSIGN(scene.images, read_images(root, source, scene.materials, used_materials(scene)));
+    HM_TRY_ASSIGN(scene.cameras, read_cameras(root, source));
+    HM_TRY_ASSIGN(scene.lights, read_lights(root, source));
+    HM_TRY(read_nodes(root, source, scene));
+    return scene;
+}
+
+}  // namespace
+
+Result<Scene> load_gltf(const std::filesystem::path& path, Diagnostics& diagnostics) {
+    try {
+        return load(path, diagnostics);
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::internal, path.string(), "", "the scene does not fit in memory");
+    }
+}
+
+}  // namespace hm

@@ -1,0 +1,156 @@
+#include "gltf/nodes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gltf/transform.h"
+
+namespace hm::gltf {
+namespace {
+
+struct FileNode {
+    Node node;  // `parent` is an index of the file's nodes
+    std::vector<std::size_t> children;
+};
+
+int to_int(const std::optional<std::size_t>& index) {
+    return index ? static_cast<int>(*index) : kUnset;
+}
+
+tl::unexpected<Error> broken(const Source& source, std::size_t node, std::string message) {
+    return fail(ExitCode::invalid, source.file, fmt::format("/nodes/{}", node), std::move(message));
+}
+
+Result<FileNode> read_node(const Json& item, std::size_t node_count, const Scene& scene) {
+    FileNode out;
+    HM_TRY_ASSIGN(out.node.name, item.name());
+    HM_TRY_ASSIGN(out.node.local, read_transform(item));
+    HM_TRY_ASSIGN(const auto mesh, item.index("mesh", scene.meshes.size(), "meshes"));
+    HM_TRY_ASSIGN(const auto camera, item.index("camera", scene.cameras.size(), "cameras"));
+    HM_TRY_ASSIGN(out.children, item.indices("children", node_count, "nodes"));
+    out.node.mesh = to_int(mesh);
+    out.node.camera = to_int(camera);
+    HM_TRY_ASSIGN(const auto lights, item.extension("KHR_lights_punctual"));
+    if (lights) {
+        HM_TRY_ASSIGN(
+            const std::size_t light,
+            lights->required("light", lights->index("light", scene.lights.size(), "lights")));
+        out.node.light = static_cast<int>(light);
+    }
+    return out;
+}
+
+// Sets the parents. Fails unless the nodes are strict trees (3.5.2).
+Result<void> link_parents(const Source& source, std::vector<FileNode>& nodes) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (const std::size_t child : nodes[i].children) {
+            int& parent = nodes[child].node.parent;
+            if (parent != kUnset)
+                return broken(source, child,
+                              fmt::format("is a child of node {} and of node {}", parent, i));
+            parent = static_cast<int>(i);
+        }
+    }
+    // With one parent each, what a walk up from a node meets twice is a cycle. Every node is
+    // passed once: a walk ends where an earlier one was.
+    std::vector<std::size_t> walk_of(nodes.size(), 0);  // 0: not met yet
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        std::size_t at = i;
+        while (walk_of[at] == 0) {
+            walk_of[at] = i + 1;
+            const int parent = nodes[at].node.parent;
+            if (parent == kUnset) break;
+            at = static_cast<std::size_t>(parent);
+            if (walk_of[at] == i + 1) return broken(source, at, "is its own ancestor");
+        }
+    }
+    return {};
+}
+
+std::vector<std::size_t> all_roots(const std::vector<FileNode>& nodes) {
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (nodes[i].node.parent == kUnset) roots.push_back(i);
+    return roots;
+}
+
+// The root nodes of the scene that "scene" names, of the first one, or of the whole file.
+Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
+                                              const std::vector<FileNode>& nodes) {
+    HM_TRY_ASSIGN(const std::vector<Json> scenes, root.objects("scenes"));
+    HM_TRY_ASSIGN(const auto chosen, root.index("scene", scenes.size(), "scenes"));
+    if (scenes.empty()) {
+        source.warn("", "the file has no scene; all its nodes are shown");
+        return all_roots(nodes);
+    }
+    const Json& scene = scenes[chosen.value_or(0)];
+    HM_TRY_ASSIGN(std::vector<std::size_t> roots, scene.indices("nodes", nodes.size(), "nodes"));
+    std::vector<bool> listed(nodes.size(), false);
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+        const std::string key = fmt::format("nodes/{}", i);
+        if (listed[roots[i]]) return scene.invalid(key, fmt::format("node {} again", roots[i]));
+        if (nodes[roots[i]].node.parent != kUnset)
+            return scene.invalid(key, fmt::format("node {} is a child of node {}", roots[i],
+                                                  nodes[roots[i]].node.parent));
+        listed[roots[i]] = true;
+    }
+    if (roots.empty()) source.warn(scene.place(), "the scene is empty");
+    return roots;
+}
+
+// Depth first, so that parents come before children and siblings keep their order. Returns where in
+// the file each node came from.
+std::vector<std::size_t> flatten(std::vector<FileNode>& nodes,
+                                 const std::vector<std::size_t>& roots, Scene& scene) {
+    std::vector<std::size_t> origin;
+    std::vector<int> new_index(nodes.size(), kUnset);
+    std::vector<std::size_t> open(roots.rbegin(), roots.rend());
+    while (!open.empty()) {
+        const std::size_t at = open.back();
+        open.pop_back();
+        FileNode& file_node = nodes[at];
+        const int parent = file_node.node.parent;
+        if (parent != kUnset) file_node.node.parent = new_index[std::size_t(parent)];
+        new_index[at] = static_cast<int>(scene.nodes.size());
+        scene.nodes.push_back(std::move(file_node.node));
+        origin.push_back(at);
+        open.insert(open.end(), file_node.children.rbegin(), file_node.children.rend());
+    }
+    return origin;
+}
+
+bool is_finite(const glm::mat4& m) {
+    for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t r = 0; r < 4; ++r)
+            if (!std::isfinite(m[c][r])) return false;
+    return true;
+}
+
+}  // namespace
+
+Result<void> read_nodes(const Json& root, Source& source, Scene& scene) {
+    HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("nodes"));
+    std::vector<FileNode> nodes;
+    nodes.reserve(items.size());
+    std::size_t skinned = 0;
+    for (const Json& item : items) {
+        HM_TRY_ASSIGN(FileNode node, read_node(item, items.size(), scene));
+        if (item.has("skin")) ++skinned;
+        nodes.push_back(std::move(node));
+    }
+    if (skinned > 0)
+        source.warn("/nodes", fmt::format("skinned nodes: {}; they are drawn in the mesh's own "
+                                          "pose, skinning is not supported",
+                                          skinned));
+    HM_TRY(link_parents(source, nodes));
+    HM_TRY_ASSIGN(const auto roots, choose_roots(root, source, nodes));
+    const std::vector<std::size_t> origin = flatten(nodes, roots, scene);
+    const std::vector<glm::mat4> world = world_transforms(scene);
+    for (std::size_t i = 0; i < world.size(); ++i)
+        if (!is_finite(world[i]))
+            return broken(source, origin[i], "its world transform overflows a 32-bit float");
+    return {};
+}
+
+}  // namespace hm::gltf

@@ -1,0 +1,105 @@
+// What the parts of the loader share: the parsed JSON, the bytes behind it and how they are laid
+// out (glTF 2.0, 3.6). Everything here is checked once; later stages index without checking again.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/result.h"
+#include "gltf/json.h"
+
+namespace hm::gltf {
+
+// byteLength bytes, or nothing where the file names no source (an extension's business).
+struct Buffer {
+    std::optional<std::span<const std::byte>> bytes;
+    std::uint64_t length = 0;
+};
+
+struct BufferView {
+    std::size_t buffer = 0;
+    std::uint64_t offset = 0;  // offset + length is within the buffer
+    std::uint64_t length = 0;
+    std::uint32_t stride = 0;  // 0: elements are packed
+};
+
+// The values are glTF's (those of OpenGL).
+enum class ComponentType : std::uint32_t {
+    int8 = 5120,
+    uint8 = 5121,
+    int16 = 5122,
+    uint16 = 5123,
+    uint32 = 5125,
+    float32 = 5126,
+};
+
+enum class ElementType { scalar, vec2, vec3, vec4, mat2, mat3, mat4 };
+
+// Elements that replace some of an accessor's: `count` indices and as many values, both packed.
+struct SparseElements {
+    std::uint64_t count = 0;
+    std::size_t index_view = 0;
+    std::uint64_t index_offset = 0;
+    ComponentType index_type = ComponentType::uint8;
+    std::size_t value_view = 0;
+    std::uint64_t value_offset = 0;
+};
+
+struct Accessor {
+    ComponentType component = ComponentType::float32;
+    ElementType type = ElementType::scalar;
+    bool normalized = false;
+    std::uint32_t count = 0;
+    std::optional<std::size_t> view;  // none: zeros
+    std::uint64_t offset = 0;         // into the view; the last element ends within it
+    std::uint32_t stride = 0;
+    std::optional<SparseElements> sparse;
+};
+
+// What decoding may still take. A small file can name the same bytes many times over.
+struct Budget {
+    std::uint64_t kept_bytes = 0;     // in the scene
+    std::uint64_t decoded_bytes = 0;  // in all, also what is thrown away again
+};
+
+struct Source {
+    std::string file;
+    std::filesystem::path folder;
+    Diagnostics& diagnostics;
+    std::optional<std::span<const std::byte>> binary;  // GLB's BIN chunk
+    std::vector<std::vector<std::byte>> storage;       // external and data URI buffers
+    std::vector<Buffer> buffers;
+    std::vector<BufferView> views;
+    std::vector<Accessor> accessors;
+    Budget budget;
+
+    void warn(std::string place, std::string message) {
+        diagnostics.warn(file, std::move(place), std::move(message));
+    }
+};
+
+std::uint32_t component_size(ComponentType type);
+std::uint32_t component_count(ElementType type);
+
+// Fill the respective tables from the file's root object, in this order.
+Result<void> read_buffers(const Json& root, Source& source);
+Result<void> read_buffer_views(const Json& root, Source& source);
+Result<void> read_accessors(const Json& root, Source& source);
+
+// Sets the budget once the buffers' sizes are known; `file_bytes` is that of the file itself.
+void set_budget(Source& source, std::uint64_t file_bytes);
+
+// The bytes of a buffer view. Fails where its buffer has no source.
+Result<std::span<const std::byte>> view_bytes(const Source& source, std::size_t view);
+
+// The bytes a URI names, wherever they are. `owner` is the buffer or image with a "uri" property.
+Result<std::vector<std::byte>> read_uri(const Source& source, const Json& owner,
+                                        std::string_view uri);
+
+}  // namespace hm::gltf

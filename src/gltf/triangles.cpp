@@ -1,0 +1,46 @@
+#include "gltf/triangles.h"
+
+namespace hm::gltf {
+
+std::vector<uvec3> make_triangles(Topology topology, const std::vector<std::uint32_t>& indices) {
+    std::vector<uvec3> out;
+    if (indices.size() < 3) return out;
+    if (topology == Topology::triangles) {
+        out.reserve(indices.size() / 3);
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+            out.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
+        return out;
+    }
+    out.reserve(indices.size() - 2);
+    for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
+        if (topology == Topology::fan)
+            out.emplace_back(indices[i + 1], indices[i + 2], indices[0]);
+        else  // every second triangle of a strip is turned around
+            out.emplace_back(indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]);
+    }
+    return out;
+}
+
+void drop_unused_vertices(Primitive& primitive) {
+    if (primitive.vertices.size() <= 3 * primitive.triangles.size()) return;
+    std::vector<std::uint32_t> new_index(primitive.vertices.size(), kNone);
+    std::vector<Vertex> vertices;
+    std::vector<VertexExtra> extras;
+    for (uvec3& triangle : primitive.triangles) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::uint32_t& moved = new_index[triangle[c]];
+            if (moved == kNone) {
+                moved = static_cast<std::uint32_t>(vertices.size());
+                vertices.push_back(primitive.vertices[triangle[c]]);
+                if (!primitive.extras.empty()) extras.push_back(primitive.extras[triangle[c]]);
+            }
+            triangle[c] = moved;
+        }
+    }
+    vertices.shrink_to_fit();
+    extras.shrink_to_fit();
+    primitive.vertices = std::move(vertices);
+    primitive.extras = std::move(extras);
+}
+
+}  // namespace hm::gltf

@@ -1,0 +1,22 @@
+// From a primitive's topology and indices to a triangle list.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace hm::gltf {
+
+// The values are glTF's primitive modes.
+enum class Topology : std::uint32_t { triangles = 4, strip = 5, fan = 6 };
+
+// Every triangle has the winding that glTF 2.0, 3.7.2.1 gives it. Indices that complete no triangle
+// are left out.
+std::vector<uvec3> make_triangles(Topology topology, const std::vector<std::uint32_t>& indices);
+
+// Drops vertices that no triangle uses where there must be such: primitives of one mesh often share
+// a vertex buffer, and each would keep all of it.
+void drop_unused_vertices(Primitive& primitive);
+
+}  // namespace hm::gltf

@@ -1,0 +1,115 @@
+#include "gltf/uri.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace hm::gltf {
+namespace {
+
+int base64_value(char c) {
+    if (c >= 'A' && c <= 'Z') return c - 'A';
+    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+    if (c >= '0' && c <= '9') return c - '0' + 52;
+    return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
+int hex_value(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+}
+
+bool equal_ignoring_case(std::string_view text, std::string_view lower) {
+    if (text.size() != lower.size()) return false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if ((c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c) != lower[i]) return false;
+    }
+    return true;
+}
+
+// RFC 3986: a letter, then letters, digits, "+", "-" and ".", then a colon.
+bool has_scheme(std::string_view uri) {
+    const std::size_t colon = uri.find(':');
+    if (colon == std::string_view::npos || colon == 0) return false;
+    for (std::size_t i = 0; i < colon; ++i) {
+        const char c = uri[i];
+        const bool letter = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+        const bool other = (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+        if (!letter && !(other && i > 0)) return false;
+    }
+    return true;
+}
+
+tl::unexpected<std::string> refuse(const char* message) {
+    return tl::unexpected<std::string>(message);
+}
+
+UriResult<std::vector<std::byte>> decode_base64(std::string_view text) {
+    if (text.size() % 4 != 0) return refuse("its base64 length is not a multiple of 4");
+    std::size_t padding = 0;
+    while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=')
+        ++padding;
+    std::vector<std::byte> bytes;
+    bytes.reserve(text.size() / 4 * 3);
+    std::uint32_t group = 0;
+    const std::size_t digits = text.size() - padding;
+    for (std::size_t i = 0; i < digits; ++i) {
+        const int value = base64_value(text[i]);
+        if (value < 0) return refuse("it has a character that is not base64");
+        group = (group << 6 | std::uint32_t(value)) & 0xffffffu;
+        // Each digit after the first of four completes a byte.
+        if (i % 4 != 0) bytes.push_back(std::byte(group >> (6 - i % 4 * 2)));
+    }
+    const std::uint32_t unused = padding == 2 ? 0xfu : padding == 1 ? 0x3u : 0u;
+    if ((group & unused) != 0) return refuse("its base64 has bits set past its end");
+    return bytes;
+}
+
+}  // namespace
+
+bool is_data_uri(std::string_view uri) {
+    return equal_ignoring_case(uri.substr(0, 5), "data:");
+}
+
+UriResult<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string_view::npos) return refuse("data URI without a comma");
+    constexpr std::string_view kMarker = ";base64";
+    const std::string_view header = uri.substr(0, comma);
+    if (header.size() < kMarker.size() ||
+        !equal_ignoring_case(header.substr(header.size() - kMarker.size()), kMarker))
+        return refuse("data URI that is not base64");
+    auto bytes = decode_base64(uri.substr(comma + 1));
+    if (!bytes) return tl::unexpected<std::string>("data URI: " + bytes.error());
+    return bytes;
+}
+
+UriResult<std::filesystem::path> decode_path(std::string_view uri) {
+    if (uri.empty()) return refuse("empty URI");
+    if (has_scheme(uri))
+        return refuse("only relative paths and data URIs are read, no other scheme");
+    std::string decoded;
+    decoded.reserve(uri.size());
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        if (uri[i] != '%') {
+            decoded += uri[i];
+            continue;
+        }
+        const int high = i + 2 < uri.size() ? hex_value(uri[i + 1]) : -1;
+        const int low = i + 2 < uri.size() ? hex_value(uri[i + 2]) : -1;
+        if (high < 0 || low < 0) return refuse("\"%\" is not followed by two hexadecimal digits");
+        decoded += static_cast<char>(high * 16 + low);
+        i += 2;
+    }
+    if (decoded.find('\0') != std::string::npos) return refuse("the path holds a zero byte");
+    std::filesystem::path path(decoded);
+    if (path.has_root_path()) return refuse("absolute paths are refused");
+    for (const auto& part : path)
+        if (part == "..")
+            return refuse("paths with \"..\" are refused: they leave the file's folder");
+    return path;
+}
+
+}  // namespace hm::gltf
