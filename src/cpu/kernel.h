@@ -1,0 +1,73 @@
+// The inner loop of the CPU renderer, compiled once per instruction set. Only plain data crosses:
+// the translation units give hm and glm other names (see CMakeLists.txt), so that the linker never
+// merges an inline function built for a newer processor into the rest of the program.
+#pragma once
+
+#include "bvh/view.h"
+#include "scene/image_view.h"
+#include "shading/structs.h"
+
+namespace hm {
+
+struct KernelGeometry {
+    const Vertex* vertices;
+    const VertexExtra* extras;
+    const uvec3* triangles;
+};
+
+// Everything that the stages read, by the names they use.
+struct KernelTables {
+    const MaterialData* materials;
+    const TextureUse* texture_uses;
+    const ImageView* images;
+    const GeometryData* geometries;
+    const KernelGeometry* geometry_vertices;
+    const InstanceData* instances;
+    const LightData* lights;
+    const AliasEntry* light_alias;
+    const EmitterTriangle* emitters;
+    const AliasEntry* emitter_alias;
+    const vec4* environment_texels;
+    const AliasEntry* environment_alias;
+    const uint* sobol_directions;
+    const uvec4* sobol_nibbles;
+    const uint* blue_noise;
+    const vec2* albedo_table;
+    const vec2* albedo_average;
+    const float* filter_table;
+    const float* srgb;
+    BvhView bvh;
+    EnvironmentData environment;
+    CameraData camera;
+    RenderParams params;
+};
+
+struct KernelPixel {
+    float radiance[3];
+    float alpha;
+    float weight;
+    float removed;
+};
+
+// Pixels [x0, x1) x [y0, y1), samples [sample_begin, sample_end), added to pixels[(y - y0) * stride
+// + x - x0].
+struct KernelTile {
+    uint x0, y0, x1, y1;
+    uint sample_begin, sample_end;
+    KernelPixel* pixels;
+    uint stride;
+    uint rays;        // out
+    uint non_finite;  // out
+};
+
+}  // namespace hm
+
+extern "C" {
+// Arguments are hm::KernelTables and hm::KernelTile, whatever hm is called there.
+using hm_render_tile = void(const void* tables, void* tile);
+hm_render_tile hm_render_tile_baseline;
+#if defined(__x86_64__)
+hm_render_tile hm_render_tile_avx2;
+hm_render_tile hm_render_tile_avx512;
+#endif
+}

@@ -1,0 +1,29 @@
+// The constant tables of the shading core as C++ arrays; a GPU uploads the same. The .inl files are
+// written by the programs in tools/ that their first lines name.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "shading/lang.h"
+
+namespace hm {
+
+struct ShadingTables {
+    std::array<std::uint32_t, 128 * 32> sobol_directions;
+    std::array<uvec4, 8 * 16> sobol_nibbles;
+    std::array<std::uint32_t, 128 * 128> blue_noise;
+    std::array<vec2, 32 * 32> albedo_table;
+    std::array<vec2, 32> albedo_average;
+};
+
+const ShadingTables& shading_tables();
+
+enum class PixelFilter { box, gaussian, blackman_harris };
+
+// The inverse of the filter's distribution over [-1, 1] of half its width, for 257 even steps of
+// [0, 1]: what filter_table holds. Widths are in pixels; a Gaussian's sigma is a fourth of its
+// width.
+std::array<float, 257> make_filter_table(PixelFilter filter);
+
+}  // namespace hm
