@@ -1,0 +1,192 @@
+// Measures the CPU's acceleration structure on a generated scene: building it, and tracing coherent
+// camera rays, diffuse bounces and shadow rays with every build of the traversal, on one thread.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "bvh/bvh.h"
+#include "bvh/trace_batch.h"
+
+namespace {
+
+using namespace hm;
+
+// A small generator is enough here; it is not what the renderer draws from.
+struct Random {
+    std::uint64_t state;
+    float next() {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        return float(state >> 40) * 0x1p-24f;
+    }
+};
+
+struct Surface {
+    std::vector<Vertex> vertices;
+    std::vector<uvec3> triangles;
+};
+
+// A grid of nu x nv quads over [0, 1]^2 moved to where `place` says.
+template <class Place>
+Surface make_grid(std::uint32_t nu, std::uint32_t nv, Place place) {
+    Surface s;
+    for (std::uint32_t j = 0; j <= nv; ++j)
+        for (std::uint32_t i = 0; i <= nu; ++i) {
+            Vertex vertex{};
+            vertex.position = place(float(i) / float(nu), float(j) / float(nv));
+            s.vertices.push_back(vertex);
+        }
+    for (std::uint32_t j = 0; j < nv; ++j)
+        for (std::uint32_t i = 0; i < nu; ++i) {
+            const std::uint32_t a = j * (nu + 1) + i;
+            const std::uint32_t b = a + nu + 1;
+            s.triangles.push_back({a, a + 1, b + 1});
+            s.triangles.push_back({a, b + 1, b});
+        }
+    return s;
+}
+
+float terrain_height(float x, float z) {
+    return 1.2f * std::sin(0.35f * x) * std::cos(0.3f * z) + 0.3f * std::sin(1.7f * x + 0.8f * z) +
+           0.08f * std::sin(5.1f * x) * std::sin(4.3f * z);
+}
+
+Surface make_terrain() {
+    return make_grid(300, 300, [](float u, float v) {
+        const float x = 40 * (u - 0.5f);
+        const float z = 40 * (v - 0.5f);
+        return vec3(x, terrain_height(x, z), z);
+    });
+}
+
+Surface make_sphere(Random& random) {
+    const float x = 36 * (random.next() - 0.5f);
+    const float z = 36 * (random.next() - 0.5f);
+    const float radius = 0.4f + 1.2f * random.next();
+    const float phase = 6 * random.next();
+    const vec3 centre(x, terrain_height(x, z) + radius * (0.6f + 1.5f * random.next()), z);
+    return make_grid(64, 42, [=](float u, float v) {
+        const float phi = 6.2831853f * u;
+        const float theta = 3.1415927f * v;
+        const vec3 n(std::sin(theta) * std::cos(phi), std::cos(theta),
+                     std::sin(theta) * std::sin(phi));
+        const float bump =
+            0.12f * std::sin(7 * n.x + phase) * std::sin(9 * n.y) * std::sin(8 * n.z + phase);
+        return centre + radius * (1 + bump) * n;
+    });
+}
+
+std::vector<Ray> camera_rays(std::uint32_t width, std::uint32_t height) {
+    std::vector<Ray> rays;
+    const vec3 origin(-17, 6, -17);
+    const vec3 forward = normalize(vec3(1, -0.32f, 1));
+    const vec3 right = normalize(cross(forward, vec3(0, 1, 0)));
+    const vec3 up = cross(right, forward);
+    for (std::uint32_t y = 0; y < height; ++y)
+        for (std::uint32_t x = 0; x < width; ++x) {
+            const float sx = (2 * (float(x) + 0.5f) / float(width) - 1) * 0.8f;
+            const float sy = (1 - 2 * (float(y) + 0.5f) / float(height)) * 0.6f;
+            rays.push_back({origin, forward + sx * right + sy * up, INFINITY});
+        }
+    return rays;
+}
+
+struct Scene {
+    std::vector<Surface> surfaces;
+    std::vector<BvhMesh> meshes;
+    std::vector<BvhInstance> instances;
+    std::uint64_t triangles = 0;
+};
+
+Scene make_scene() {
+    Scene scene;
+    Random random{7};
+    scene.surfaces.push_back(make_terrain());
+    for (int i = 0; i < 60; ++i)
+        scene.surfaces.push_back(make_sphere(random));
+    for (const Surface& s : scene.surfaces) {
+        scene.triangles += s.triangles.size();
+        scene.meshes.push_back({{{s.vertices, s.triangles, true}}});
+        const auto identity = mat4x3(1);
+        scene.instances.push_back({std::uint32_t(scene.meshes.size() - 1), identity, identity});
+    }
+    return scene;
+}
+
+// From where the camera rays hit: cosine-distributed directions, in a shuffled order.
+std::vector<Ray> diffuse_rays(const Scene& scene, const std::vector<Ray>& rays,
+                              const std::vector<Hit>& hits,
+                              const std::vector<std::uint8_t>& found) {
+    std::vector<Ray> result;
+    Random random{11};
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!found[i]) continue;
+        const Surface& s = scene.surfaces[hits[i].instance];
+        const uvec3 t = s.triangles[hits[i].primitive];
+        const vec3 a = s.vertices[t.x].position;
+        vec3 n = normalize(cross(s.vertices[t.y].position - a, s.vertices[t.z].position - a));
+        if (dot(n, rays[i].direction) > 0) n = -n;
+        const float z = 2 * random.next() - 1;
+        const float phi = 6.2831853f * random.next();
+        const float r = std::sqrt(1 - z * z);
+        const vec3 on_sphere(r * std::cos(phi), r * std::sin(phi), z);
+        const vec3 p = rays[i].origin + hits[i].t * rays[i].direction;
+        result.push_back({p + 1e-3f * n, normalize(n + 0.999f * on_sphere), INFINITY});
+    }
+    for (std::size_t i = result.size(); i > 1; --i)
+        std::swap(result[i - 1], result[std::size_t(random.next() * float(i))]);
+    return result;
+}
+
+double mrays_per_second(void (*trace)(TraceBatch&), const BvhView& view,
+                        const std::vector<Ray>& rays, std::vector<Hit>& hits,
+                        std::vector<std::uint8_t>& found) {
+    hits.resize(rays.size());
+    found.resize(rays.size());
+    double best = 0;
+    for (int repeat = 0; repeat < 5; ++repeat) {
+        TraceBatch batch{&view, rays.data(), hits.data(), found.data(), rays.size(), kAcceptAll, 0};
+        const auto start = std::chrono::steady_clock::now();
+        trace(batch);
+        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+        best = std::max(best, double(rays.size()) / time.count() * 1e-6);
+    }
+    return best;
+}
+
+}  // namespace
+
+int main() {
+    const Scene scene = make_scene();
+    Bvh bvh = build_bvh(scene.meshes, scene.instances);
+    for (int repeat = 0; repeat < 3; ++repeat) {
+        Bvh again = build_bvh(scene.meshes, scene.instances);
+        if (again.stats.build_seconds < bvh.stats.build_seconds) bvh = std::move(again);
+    }
+    const BvhView view = bvh.view();
+    fmt::print("{{\n  \"triangles\": {},\n  \"nodes\": {},\n  \"packets\": {},\n  \"bytes\": {},\n",
+               bvh.stats.triangles, bvh.stats.nodes, bvh.stats.packets, bvh.stats.bytes);
+    fmt::print("  \"build_mtris_per_s\": {:.2f},\n  \"mrays_per_s\": {{",
+               double(bvh.stats.triangles) / bvh.stats.build_seconds * 1e-6);
+
+    const std::vector<Ray> camera = camera_rays(960, 720);
+    const char* separator = "\n";
+    for (const TraceVariant& variant : trace_variants()) {
+        std::vector<Hit> hits;
+        std::vector<std::uint8_t> found;
+        const double primary = mrays_per_second(variant.closest, view, camera, hits, found);
+        const std::vector<Ray> diffuse = diffuse_rays(scene, camera, hits, found);
+        const double bounce = mrays_per_second(variant.closest, view, diffuse, hits, found);
+        const double shadow = mrays_per_second(variant.any, view, diffuse, hits, found);
+        const double primary_any = mrays_per_second(variant.any, view, camera, hits, found);
+        fmt::print(
+            "{}    \"{}\": {{\"closest_primary\": {:.2f}, \"closest_diffuse\": {:.2f}, "
+            "\"any_primary\": {:.2f}, \"any_diffuse\": {:.2f}}}",
+            separator, variant.name, primary, bounce, primary_any, shadow);
+        separator = ",\n";
+    }
+    fmt::print("\n  }}\n}}\n");
+}

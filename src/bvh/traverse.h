@@ -1,0 +1,178 @@
+// Closest and any hit of a ray, nearest children first. Header only: it is compiled inside one
+// translation unit per instruction set, so nothing here may leave a weak symbol behind.
+//
+// The answer does not depend on the tree or the visiting order: equal distances go to the lower
+// (instance, geometry, primitive), a box entered exactly at the best distance is still visited, and
+// a hit is never nearer than its triangle's box as the box test computes it.
+//
+// accept(const Hit&) -> bool is asked about hits on geometries that are not opaque, in any order,
+// at most once per triangle, also about hits that prove not to be the closest.
+#pragma once
+
+#include "bvh/triangle.h"
+
+namespace hm {
+
+// What the traversal knows while it runs. Stack entries are (entry distance's bits << 32) | child:
+// distances are not negative, so entries sort as integers.
+struct BvhWalk {
+    float best_t;
+    float best_u, best_v;
+    std::uint32_t best_slot;      // 8 * packet + lane
+    std::uint32_t best_instance;  // index into BvhView::instances or kBvhEmpty: world space
+    std::uint32_t instance;       // the same of where the walk is
+    float instance_entry;
+};
+
+inline constexpr std::uint32_t kBvhNoSlot = 0xffffffffu;
+inline constexpr std::uint64_t kBvhLeaveInstance = 0xffffffffu;  // on the stack, at distance 0
+
+HM_ALWAYS_INLINE BvhTriangleId triangle_id(const BvhView& view, std::uint32_t instance,
+                                           std::uint32_t slot) {
+    BvhTriangleId id = view.ids[slot];
+    if (instance != kBvhEmpty) id.instance = view.instances[instance].instance;
+    return id;
+}
+
+HM_ALWAYS_INLINE bool lower_id(const BvhTriangleId& a, const BvhTriangleId& b) {
+    if (a.instance != b.instance) return a.instance < b.instance;
+    if (a.geometry != b.geometry) return a.geometry < b.geometry;
+    return a.primitive < b.primitive;
+}
+
+// Takes the packet's hits that are better than the best so far. True ends the walk (any hit).
+template <bool kAny, class Accept>
+HM_ALWAYS_INLINE bool visit_packet(const BvhView& view, std::uint32_t index, const RaySpace& ray,
+                                   BvhWalk& walk, Accept& accept) {
+    const BvhPacket& packet = view.packets[index];
+    PacketHits hits;
+    std::uint32_t hit = intersect_packet(packet, ray, walk.best_t, hits);
+    for (; hit != 0; hit &= hit - 1) {
+        const std::uint32_t lane = std::uint32_t(__builtin_ctz(hit));
+        const float t =
+            highest(highest(hits.t[lane], triangle_entry(packet, lane, ray)), walk.instance_entry);
+        if (!(t <= walk.best_t)) continue;
+        const std::uint32_t slot = kBvhWidth * index + lane;
+        if (t == walk.best_t && (walk.best_slot == kBvhNoSlot ||
+                                 lower_id(triangle_id(view, walk.best_instance, walk.best_slot),
+                                          triangle_id(view, walk.instance, slot))))
+            continue;
+        if ((packet.non_opaque >> lane & 1) != 0) {
+            const BvhTriangleId id = triangle_id(view, walk.instance, slot);
+            const Hit candidate{t,           hits.u[lane], hits.v[lane],
+                                id.instance, id.geometry,  id.primitive};
+            if (!accept(candidate)) continue;
+        }
+        if constexpr (kAny) return true;
+        walk.best_t = t;
+        walk.best_u = hits.u[lane];
+        walk.best_v = hits.v[lane];
+        walk.best_slot = slot;
+        walk.best_instance = walk.instance;
+    }
+    return false;
+}
+
+// Puts the children that the ray enters before `best_t` on the stack and returns its new height.
+HM_ALWAYS_INLINE std::uint32_t push_children(const BvhNode& node, const RaySpace& ray, float best_t,
+                                             std::uint64_t* stack, std::uint32_t height) {
+    const auto near_at = [&](std::uint32_t axis) {
+        return (load8(node.bounds[ray.near_plane[axis]]) - splat8(ray.near_origin[axis])) *
+               splat8(ray.inverse[axis]);
+    };
+    const auto far_at = [&](std::uint32_t axis) {
+        return (load8(node.bounds[ray.near_plane[axis] ^ 1]) - splat8(ray.far_origin[axis])) *
+               splat8(ray.far_inverse[axis]);
+    };
+    const Float8 entry = highest(highest(near_at(0), near_at(1)), highest(near_at(2), splat8(0)));
+    const Float8 exit = lowest(lowest(far_at(0), far_at(1)), lowest(far_at(2), splat8(best_t)));
+    alignas(32) float distance[kBvhWidth];
+    store8(distance, entry);
+    for (std::uint32_t rest = mask_less_equal(entry, exit); rest != 0; rest &= rest - 1) {
+        const std::uint32_t lane = std::uint32_t(__builtin_ctz(rest));
+        const std::uint32_t bits = __builtin_bit_cast(std::uint32_t, distance[lane]);
+        stack[height++] = std::uint64_t(bits) << 32 | node.child[lane];
+    }
+    return height;
+}
+
+// Nearest last.
+HM_ALWAYS_INLINE void sort_entries(std::uint64_t* first, std::uint64_t* last) {
+    for (std::uint64_t* i = first + 1; i < last; ++i) {
+        const std::uint64_t moved = *i;
+        std::uint64_t* j = i;
+        for (; j > first && j[-1] < moved; --j)
+            *j = j[-1];
+        *j = moved;
+    }
+}
+
+HM_ALWAYS_INLINE RaySpace enter_instance(const BvhInstanceRef& instance, const Ray& ray) {
+    const auto& m = instance.world_to_object;
+    float origin[3];
+    float direction[3];
+    for (int r = 0; r < 3; ++r) {
+        direction[r] =
+            m[0][r] * ray.direction.x + m[1][r] * ray.direction.y + m[2][r] * ray.direction.z;
+        origin[r] =
+            m[0][r] * ray.origin.x + m[1][r] * ray.origin.y + m[2][r] * ray.origin.z + m[3][r];
+    }
+    return make_ray_space(origin, direction, instance.bounds);
+}
+
+template <bool kAny, class Accept>
+HM_ALWAYS_INLINE bool walk_bvh(const BvhView& view, const Ray& ray, BvhWalk& walk, Accept& accept) {
+    walk = {ray.t_max, 0, 0, kBvhNoSlot, kBvhEmpty, kBvhEmpty, 0};
+    if (view.root == kBvhEmpty || !(ray.t_max > 0)) return false;
+    const float origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+    const float direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
+    RaySpace space = make_ray_space(origin, direction, view.bounds);
+
+    std::uint64_t stack[kBvhStackSize];
+    std::uint32_t height = 0;
+    stack[height++] = view.root;
+    while (height != 0) {
+        const std::uint64_t entry = stack[--height];
+        const float distance = __builtin_bit_cast(float, std::uint32_t(entry >> 32));
+        if (!(distance <= walk.best_t)) continue;
+        const std::uint32_t child = std::uint32_t(entry);
+        const std::uint32_t index = child & ~kBvhKindMask;
+        if ((child & kBvhKindMask) == kBvhInner) {
+            const std::uint32_t first = height;
+            height = push_children(view.nodes[index], space, walk.best_t, stack, height);
+            if constexpr (!kAny) sort_entries(stack + first, stack + height);
+        } else if ((child & kBvhKindMask) == kBvhPacket) {
+            if (visit_packet<kAny>(view, index, space, walk, accept)) return true;
+        } else if (child == kBvhLeaveInstance) {
+            space = make_ray_space(origin, direction, view.bounds);
+            walk.instance = kBvhEmpty;
+            walk.instance_entry = 0;
+        } else {
+            stack[height++] = kBvhLeaveInstance;
+            stack[height++] = view.instances[index].root;
+            space = enter_instance(view.instances[index], ray);
+            walk.instance = index;
+            walk.instance_entry = distance;
+        }
+    }
+    return walk.best_slot != kBvhNoSlot;
+}
+
+template <class Accept>
+HM_ALWAYS_INLINE bool trace_closest(const BvhView& view, const Ray& ray, Hit& hit,
+                                    Accept&& accept) {
+    BvhWalk walk;
+    if (!walk_bvh<false>(view, ray, walk, accept)) return false;
+    const BvhTriangleId id = triangle_id(view, walk.best_instance, walk.best_slot);
+    hit = {walk.best_t, walk.best_u, walk.best_v, id.instance, id.geometry, id.primitive};
+    return true;
+}
+
+// True when anything lies in 0 < t < t_max.
+template <class Accept>
+HM_ALWAYS_INLINE bool trace_any(const BvhView& view, const Ray& ray, Accept&& accept) {
+    BvhWalk walk;
+    return walk_bvh<true>(view, ray, walk, accept);
+}
+
+}  // namespace hm
