@@ -1,0 +1,51 @@
+// The formats one by one, from and to memory; read.cpp and write.cpp choose between them. Decoders
+// may throw std::bad_alloc, nothing else. All are safe to call from several threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "image/image.h"
+#include "image/write.h"
+
+namespace hm {
+
+using Bytes = std::span<const std::byte>;
+
+enum class FileFormat { unknown, png, jpeg, hdr, exr };
+
+// By the first bytes.
+FileFormat file_format(Bytes bytes);
+
+// Fails if a header's claim is empty or larger than read.h allows. Decoders call it before they
+// take memory.
+Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::string_view name);
+
+// What becomes of an OpenEXR file's values: made fit for lighting, or left as stored with alpha.
+enum class ExrValues { cleaned, stored };
+
+Result<Image> decode_png(Bytes bytes, std::string_view name);
+Result<Image> decode_jpeg(Bytes bytes, std::string_view name);
+Result<Image> decode_hdr(Bytes bytes, std::string_view name);
+Result<Image> decode_exr(Bytes bytes, std::string_view name, ExrValues values);
+
+// Fail with ExitCode::unwritable and an empty file name.
+Result<std::vector<std::byte>> encode_png(const Image& image, bool alpha, const Metadata& metadata);
+Result<std::vector<std::byte>> encode_exr(const Image& image, bool alpha, const Metadata& metadata);
+std::vector<std::byte> encode_hdr(const Image& image);
+
+// The largest value of a 16-bit float: what an infinite radiance, mostly the overflow of one,
+// becomes.
+inline constexpr float kInfiniteRadiance = 65504.0f;
+
+// Finite and not negative.
+inline float clean_radiance(float value) {
+    if (!(value > 0.0f)) return 0.0f;  // NaN as well
+    return value > 3.4028234e38f ? kInfiniteRadiance : value;
+}
+
+}  // namespace hm

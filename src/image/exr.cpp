@@ -1,0 +1,205 @@
+// OpenEXR through its library's C++ interface, from and to memory.
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "base/check.h"
+#include "image/codecs.h"
+#include "image/exr_header.h"
+
+namespace hm {
+namespace {
+
+// OpenEXR takes a stream's exceptions as failures to read and passes them on.
+class InputBytes : public Imf::IStream {
+  public:
+    InputBytes(Bytes bytes, const std::string& name) : IStream(name.c_str()), bytes_(bytes) {}
+
+    bool read(char to[], int count) override {
+        const auto size = static_cast<std::size_t>(std::max(count, 0));
+        if (at_ > bytes_.size() || size > bytes_.size() - at_)
+            throw std::runtime_error("the file ends early");
+        if (size > 0) std::memcpy(to, bytes_.data() + at_, size);
+        at_ += size;
+        return at_ < bytes_.size();
+    }
+    std::uint64_t tellg() override { return at_; }
+    void seekg(std::uint64_t position) override { at_ = position; }
+
+  private:
+    Bytes bytes_;
+    std::uint64_t at_ = 0;
+};
+
+class OutputBytes : public Imf::OStream {
+  public:
+    OutputBytes() : OStream("") {}
+
+    void write(const char from[], int count) override {
+        const auto size = static_cast<std::size_t>(std::max(count, 0));
+        if (bytes.size() < at_ + size) bytes.resize(at_ + size);
+        if (size > 0) std::memcpy(bytes.data() + at_, from, size);
+        at_ += size;
+    }
+    std::uint64_t tellp() override { return at_; }
+    void seekp(std::uint64_t position) override { at_ = position; }
+
+    std::vector<std::byte> bytes;
+
+  private:
+    std::uint64_t at_ = 0;
+};
+
+tl::unexpected<Error> refuse(std::string_view name, std::string message,
+                             ExitCode code = ExitCode::invalid) {
+    return fail(code, std::string(name), "", "EXR: " + std::move(message));
+}
+
+// Which stored channel fills each of R, G, B and A; null where there is none.
+struct ChannelNames {
+    const char* names[4] = {nullptr, nullptr, nullptr, nullptr};
+};
+
+Result<ChannelNames> choose_channels(const Imf::ChannelList& channels, std::string_view name) {
+    const auto has = [&](const char* channel) { return channels.findChannel(channel) != nullptr; };
+    const char* alpha = has("A") ? "A" : nullptr;
+    if (has("R") && has("G") && has("B")) return ChannelNames{{"R", "G", "B", alpha}};
+    if (has("RY") || has("BY"))
+        return refuse(name, "luminance with chroma (Y, RY, BY) is not supported",
+                      ExitCode::unsupported);
+    if (has("Y")) return ChannelNames{{"Y", "Y", "Y", alpha}};
+    return refuse(name, "has neither channels R, G and B nor Y");
+}
+
+// A channel can be read into one place only: grey is spread over the other two here, and alpha is
+// one where none was read. Values of lights are made finite and not negative.
+void finish_pixels(std::span<float> rgba, bool grey, bool cleaned) {
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        if (grey) rgba[i + 1] = rgba[i + 2] = rgba[i];
+        if (!cleaned) continue;
+        for (std::size_t c = 0; c < 3; ++c)
+            rgba[i + c] = clean_radiance(rgba[i + c]);
+        rgba[i + 3] = 1.0f;
+    }
+}
+
+// Rows are read in blocks and memory is touched as they come: a small file that claims a large
+// picture fails before it has cost much.
+constexpr std::uint32_t kPixelsAtOnce = 1u << 20;
+
+Result<Image> read_pixels(Imf::InputFile& file, std::string_view name, ExrValues values) {
+    HM_TRY_ASSIGN(const ChannelNames channels, choose_channels(file.header().channels(), name));
+    const bool grey = std::string_view(channels.names[0]) == "Y";
+    const Imath::Box2i window = file.header().dataWindow();
+    Image image{std::uint32_t(window.max.x - window.min.x + 1),
+                std::uint32_t(window.max.y - window.min.y + 1),
+                PixelFormat::rgba32f,
+                {}};
+    const std::size_t row_floats = std::size_t(image.width) * 4;
+    const std::uint32_t block_rows =
+        std::clamp(kPixelsAtOnce / image.width, std::min(16u, image.height), image.height);
+    std::vector<float> block(row_floats * block_rows);
+    image.pixels.reserve(row_floats * sizeof(float) * image.height);
+
+    for (int first = window.min.y; first <= window.max.y; first += int(block_rows)) {
+        const int last = std::min(first + int(block_rows) - 1, window.max.y);
+        const Imath::Box2i part({window.min.x, first}, {window.max.x, last});
+        Imf::FrameBuffer frame;
+        for (std::size_t c = 0; c < 4; ++c) {
+            if (grey && (c == 1 || c == 2)) continue;
+            // A channel that is not in the file is filled: alpha with one.
+            const char* channel = channels.names[c] ? channels.names[c] : "A";
+            frame.insert(channel,
+                         Imf::Slice::Make(Imf::FLOAT, block.data() + c, part, 4 * sizeof(float),
+                                          row_floats * sizeof(float), 1, 1, 1.0));
+        }
+        file.setFrameBuffer(frame);
+        file.readPixels(first, last);
+        const auto rows = std::span(block).first(row_floats * std::size_t(last - first + 1));
+        finish_pixels(rows, grey, values == ExrValues::cleaned);
+        const auto bytes = std::as_bytes(rows);
+        image.pixels.insert(image.pixels.end(), bytes.begin(), bytes.end());
+    }
+    return image;
+}
+
+// Attribute names that mean something to readers of OpenEXR, whatever their type.
+bool is_reserved(std::string_view name) {
+    constexpr std::string_view kReserved[] = {"name",       "type",  "version", "view",
+                                              "chunkCount", "tiles", "preview", "multiView"};
+    return std::find(std::begin(kReserved), std::end(kReserved), name) != std::end(kReserved);
+}
+
+// Printable ASCII without blanks, at most 255 characters; an underscore is added until it is free.
+std::string attribute_name(const Imf::Header& header, std::string_view wanted) {
+    constexpr std::size_t kMaxLength = 240;  // leaves room for the underscores
+    std::string name;
+    for (const char c : wanted.substr(0, kMaxLength))
+        name += c > ' ' && c <= '~' ? c : '_';
+    while (name.empty() || is_reserved(name) || header.find(name) != header.end())
+        name += '_';
+    return name;
+}
+
+}  // namespace
+
+Result<Image> decode_exr(Bytes bytes, std::string_view name, ExrValues values) {
+    HM_TRY(check_exr_header(bytes, name));
+    try {
+        InputBytes stream(bytes, std::string(name));
+        Imf::InputFile file(stream);
+        return read_pixels(file, name, values);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        return refuse(name, error.what());
+    }
+}
+
+Result<std::vector<std::byte>> encode_exr(const Image& image, bool alpha,
+                                          const Metadata& metadata) {
+    HM_CHECK(image.format == PixelFormat::rgba32f, "format = {}", unsigned(image.format));
+    try {
+        OutputBytes stream;
+        Imf::Header header(int(image.width), int(image.height));
+        header.compression() = Imf::ZIP_COMPRESSION;
+        Imf::addChromaticities(header, Imf::Chromaticities());  // the default ones are Rec.709's
+        constexpr const char* kNames[] = {"R", "G", "B", "A"};
+        const std::size_t channels = alpha ? 4 : 3;
+        Imf::FrameBuffer frame;
+        for (std::size_t c = 0; c < channels; ++c) {
+            header.channels().insert(kNames[c], Imf::Channel(Imf::FLOAT));
+            frame.insert(kNames[c], Imf::Slice::Make(Imf::FLOAT, image.pixels.data() + 4 * c,
+                                                     header.dataWindow(), 16, image.width * 16ul));
+        }
+        for (const auto& [key, value] : metadata)
+            header.insert(attribute_name(header, key), Imf::StringAttribute(value));
+        {
+            Imf::OutputFile file(stream, header);
+            file.setFrameBuffer(frame);
+            file.writePixels(int(image.height));
+        }  // the table of line offsets is written when the file is closed
+        return std::move(stream.bytes);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        return fail(ExitCode::unwritable, "", "", std::string("EXR: ") + error.what());
+    }
+}
+
+}  // namespace hm

@@ -1,0 +1,126 @@
+// The layout is that of "OpenEXR File Layout" (openexr.com): magic number, version and flags, then
+// attributes (name, type, size, value), ended by an empty name. Numbers are little-endian.
+#include "image/exr_header.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "image/read.h"
+
+namespace hm {
+namespace {
+
+constexpr std::uint32_t kTiledFlag = 0x200, kDeepFlag = 0x800, kMultiPartFlag = 0x1000;
+constexpr std::size_t kMaxNameLength = 255;
+
+// A tile may be larger than its picture, but not by much more than this.
+constexpr std::uint64_t kMaxTileSide = 4096;
+
+// 16 bytes of channel description follow each channel's name.
+constexpr std::uint64_t kMinChannelBytes = 18;
+constexpr std::uint64_t kMaxValues = kMaxImagePixels * 16;
+
+class Cursor {
+  public:
+    explicit Cursor(Bytes bytes) : rest_(bytes) {}
+
+    std::optional<Bytes> take(std::size_t count) {
+        if (count > rest_.size()) return std::nullopt;
+        const Bytes taken = rest_.first(count);
+        rest_ = rest_.subspan(count);
+        return taken;
+    }
+    std::optional<std::uint32_t> number() {
+        const auto four = take(4);
+        if (!four) return std::nullopt;
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            value |= std::to_integer<std::uint32_t>((*four)[i]) << (8 * i);
+        return value;
+    }
+    // Zero-terminated.
+    std::optional<std::string_view> word() {
+        const std::size_t limit = std::min(rest_.size(), kMaxNameLength + 1);
+        const Bytes range = rest_.first(limit);
+        const auto end = std::find(range.begin(), range.end(), std::byte(0));
+        if (end == range.end()) return std::nullopt;
+        const auto length = static_cast<std::size_t>(end - range.begin());
+        const std::string_view text(reinterpret_cast<const char*>(range.data()), length);
+        rest_ = rest_.subspan(length + 1);
+        return text;
+    }
+
+  private:
+    Bytes rest_;
+};
+
+struct Claims {
+    std::uint64_t width = 0, height = 0;
+    std::uint64_t tile_width = 0, tile_height = 0;
+    std::uint64_t channels = 0;  // at most
+};
+
+tl::unexpected<Error> refuse(std::string_view name, std::string message,
+                             ExitCode code = ExitCode::invalid) {
+    return fail(code, std::string(name), "", "EXR: " + std::move(message));
+}
+
+void note_attribute(std::string_view attribute, std::string_view type, Bytes value,
+                    Claims& claims) {
+    Cursor cursor(value);
+    if (attribute == "dataWindow" && type == "box2i" && value.size() == 16) {
+        std::int64_t corner[4];  // x and y of the first pixel, then of the last one
+        for (std::int64_t& c : corner)
+            c = std::int32_t(*cursor.number());
+        claims.width = std::uint64_t(std::max<std::int64_t>(corner[2] - corner[0] + 1, 0));
+        claims.height = std::uint64_t(std::max<std::int64_t>(corner[3] - corner[1] + 1, 0));
+    } else if (attribute == "tiles" && type == "tiledesc" && value.size() == 9) {
+        claims.tile_width = *cursor.number();
+        claims.tile_height = *cursor.number();
+    } else if (attribute == "channels" && type == "chlist") {
+        claims.channels = value.size() / kMinChannelBytes;
+    }
+}
+
+}  // namespace
+
+Result<void> check_exr_header(Bytes bytes, std::string_view name) {
+    Cursor cursor(bytes);
+    const auto magic = cursor.number();
+    const auto version = cursor.number();
+    if (!magic || !version) return refuse(name, "the header ends early");
+    if (*version & (kDeepFlag | kMultiPartFlag))
+        return refuse(name, "deep data and files of several parts are not supported",
+                      ExitCode::unsupported);
+
+    Claims claims;
+    for (;;) {
+        const auto attribute = cursor.word();
+        if (!attribute) return refuse(name, "the header ends early");
+        if (attribute->empty()) break;
+        const auto type = cursor.word();
+        const auto size = cursor.number();
+        const auto value = size ? cursor.take(*size) : std::nullopt;
+        if (!type || !value)
+            return refuse(name, fmt::format("attribute \"{}\" ends past the file", *attribute));
+        note_attribute(*attribute, *type, *value, claims);
+    }
+
+    HM_TRY(check_image_size(claims.width, claims.height, name));
+    const std::uint64_t side = std::max({claims.width, claims.height, kMaxTileSide});
+    const bool tiled = (*version & kTiledFlag) != 0;
+    if (tiled && (claims.tile_width > side || claims.tile_height > side ||
+                  claims.tile_width * claims.tile_height > kMaxImagePixels))
+        return refuse(name, fmt::format("tiles of {} x {} pixels are too large", claims.tile_width,
+                                        claims.tile_height));
+    if (claims.width * claims.height * claims.channels > kMaxValues)
+        return refuse(name, fmt::format("{} x {} pixels with {} channels are too many",
+                                        claims.width, claims.height, claims.channels));
+    return {};
+}
+
+}  // namespace hm

@@ -1,0 +1,243 @@
+// OpenEXR: files made with its own library in the forms people use come back as linear floats.
+#include <gtest/gtest.h>
+#include <half.h>
+
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+#include <ImfTiledOutputFile.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "image/test_images.h"
+#include "image/write.h"
+
+namespace hm {
+namespace {
+
+using namespace testing_images;
+
+Image gradient(std::uint32_t width, std::uint32_t height) {
+    Image image = make_image(width, height, PixelFormat::rgba32f);
+    for (std::size_t i = 0; i < std::size_t(width) * height * 4; ++i)
+        set_component(image, i / 4, i % 4, 0.25f * float(i % 1000));
+    return image;
+}
+
+TEST(Exr, WrittenIsReadAgain) {
+    const Folder folder;
+    Image image = gradient(70, 40);
+    set_component(image, 5, 1, -2.5f);
+    ASSERT_TRUE(write_exr(folder / "a.exr", image, true, {}));
+    EXPECT_EQ(read_whole(bytes_of_file(folder / "a.exr")).pixels, image.pixels);
+
+    ASSERT_TRUE(write_exr(folder / "b.exr", image, false, {}));
+    const Image opaque = read_whole(bytes_of_file(folder / "b.exr"));
+    EXPECT_EQ(component<float>(opaque, 9, 2), component<float>(image, 9, 2));
+    EXPECT_EQ(component<float>(opaque, 9, 3), 1.0f);
+}
+
+TEST(Exr, EnvironmentIsCleaned) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    Image image = gradient(2, 2);
+    set_component(image, 0, 0, -1.0f);
+    set_component(image, 0, 1, NAN);
+    set_component(image, 0, 2, kInfinity);
+    set_component(image, 1, 0, -kInfinity);
+    const auto bytes = encode_exr(image, true, {});
+    ASSERT_TRUE(bytes);
+    const auto clean = read_environment_image(*bytes, "e");
+    ASSERT_TRUE(clean);
+    EXPECT_EQ(component<float>(*clean, 0, 0), 0.0f);
+    EXPECT_EQ(component<float>(*clean, 0, 1), 0.0f);
+    EXPECT_EQ(component<float>(*clean, 0, 2), 65504.0f);
+    EXPECT_EQ(component<float>(*clean, 1, 0), 0.0f);
+    EXPECT_EQ(component<float>(*clean, 1, 1), component<float>(image, 1, 1));
+    EXPECT_EQ(component<float>(*clean, 1, 3), 1.0f);
+    // For tools the values stay as they are.
+    EXPECT_TRUE(std::isnan(component<float>(read_whole(*bytes), 0, 1)));
+}
+
+TEST(Exr, MetadataSurvives) {
+    const Folder folder;
+    const Metadata metadata = {{"software", "Himalaya"},     {"two words", "\xC3\xA9 \n"},
+                               {"compression", "not a one"}, {"type", "not a part"},
+                               {"software", "again"},        {"", "nameless"}};
+    ASSERT_TRUE(write_exr(folder / "a.exr", gradient(3, 3), false, metadata));
+    Imf::InputFile file((folder / "a.exr").c_str());
+    const auto text = [&](const char* name) {
+        const auto* attribute = file.header().findTypedAttribute<Imf::StringAttribute>(name);
+        return attribute ? attribute->value() : std::string("(none)");
+    };
+    EXPECT_EQ(text("software"), "Himalaya");
+    EXPECT_EQ(text("two_words"), "\xC3\xA9 \n");
+    EXPECT_EQ(text("compression_"), "not a one");
+    EXPECT_EQ(text("type_"), "not a part");
+    EXPECT_EQ(text("software_"), "again");
+    EXPECT_EQ(text("_"), "nameless");
+    EXPECT_EQ(file.header().compression(), Imf::ZIP_COMPRESSION);
+    ASSERT_TRUE(Imf::hasChromaticities(file.header()));
+    const Imf::Chromaticities primaries = Imf::chromaticities(file.header());
+    EXPECT_EQ(primaries.red, Imath::V2f(0.64f, 0.33f));
+    EXPECT_EQ(primaries.white, Imath::V2f(0.3127f, 0.3290f));
+}
+
+// A file with the given channels, each 1000 x + 10 y + (its number) at pixel (x, y) of the data
+// window.
+struct ChannelSpec {
+    const char* name;
+    Imf::PixelType type;
+};
+
+std::vector<std::byte> make_file(const std::vector<ChannelSpec>& channels, Imath::Box2i window,
+                                 Imf::Compression compression, bool tiled) {
+    const Folder folder;
+    const auto path = folder / "made.exr";
+    Imf::Header header(Imath::Box2i({0, 0}, {639, 479}), window);
+    header.compression() = compression;
+    if (tiled) header.setTileDescription(Imf::TileDescription(16, 8, Imf::ONE_LEVEL));
+    const auto width = std::size_t(window.max.x - window.min.x + 1);
+    const auto height = std::size_t(window.max.y - window.min.y + 1);
+    std::vector<std::vector<std::byte>> planes;
+    Imf::FrameBuffer frame;
+    for (const ChannelSpec& channel : channels) {
+        const std::size_t size = channel.type == Imf::HALF ? 2 : 4;
+        std::vector<std::byte>& plane = planes.emplace_back(width * height * size);
+        for (std::size_t i = 0; i < width * height; ++i) {
+            const std::size_t value = 1000 * (i % width) + 10 * (i / width) + planes.size() - 1;
+            const auto as_half = Imath::half(float(value));
+            const auto as_float = float(value);
+            const auto as_uint = std::uint32_t(value);
+            const void* from = channel.type == Imf::HALF    ? static_cast<const void*>(&as_half)
+                               : channel.type == Imf::FLOAT ? static_cast<const void*>(&as_float)
+                                                            : static_cast<const void*>(&as_uint);
+            std::memcpy(&plane[i * size], from, size);
+        }
+        header.channels().insert(channel.name, Imf::Channel(channel.type));
+        frame.insert(channel.name,
+                     Imf::Slice::Make(channel.type, plane.data(), window, size, width * size));
+    }
+    if (tiled) {
+        Imf::TiledOutputFile file(path.c_str(), header);
+        file.setFrameBuffer(frame);
+        file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+    } else {
+        Imf::OutputFile file(path.c_str(), header);
+        file.setFrameBuffer(frame);
+        file.writePixels(int(height));
+    }
+    return bytes_of_file(path);
+}
+
+// Component c of every pixel is channel `source[c]` of make_file; -1 stands for one.
+void expect_channels(const std::vector<std::byte>& bytes, std::size_t width, std::size_t height,
+                     std::array<int, 4> source) {
+    const Image image = read_whole(bytes);
+    ASSERT_EQ(image.width, width);
+    ASSERT_EQ(image.height, height);
+    for (std::size_t i = 0; i < width * height; ++i)
+        for (std::size_t c = 0; c < 4; ++c) {
+            const int expected = int(1000 * (i % width) + 10 * (i / width)) + source[c];
+            ASSERT_EQ(component<float>(image, i, c), source[c] < 0 ? 1.0f : float(expected))
+                << "pixel " << i << " component " << c;
+        }
+}
+
+const Imath::Box2i kWindow({-3, 5}, {29, 41});  // 33 x 37, away from the display window's corner
+constexpr Imf::PixelType kHalf = Imf::HALF, kFloat = Imf::FLOAT, kUint = Imf::UINT;
+
+TEST(Exr, ChannelsOfEveryType) {
+    for (const bool tiled : {false, true}) {
+        SCOPED_TRACE(tiled);
+        const auto made = [&](const std::vector<ChannelSpec>& channels) {
+            return make_file(channels, kWindow, Imf::ZIP_COMPRESSION, tiled);
+        };
+        expect_channels(made({{"R", kFloat}, {"G", kFloat}, {"B", kFloat}}), 33, 37, {0, 1, 2, -1});
+        expect_channels(
+            made({{"A", kFloat}, {"B", kUint}, {"G", kFloat}, {"R", kUint}, {"Z", kFloat}}), 33, 37,
+            {3, 2, 1, 0});
+        expect_channels(made({{"Y", kFloat}}), 33, 37, {0, 0, 0, -1});
+        expect_channels(made({{"Y", kUint}, {"A", kFloat}}), 33, 37, {0, 0, 0, 1});
+    }
+    // Halves hold 2048 whole numbers exactly: a picture two pixels wide.
+    const auto bytes = make_file({{"R", kHalf}, {"G", kHalf}, {"B", kHalf}},
+                                 Imath::Box2i({0, 0}, {1, 9}), Imf::PIZ_COMPRESSION, false);
+    expect_channels(bytes, 2, 10, {0, 1, 2, -1});
+}
+
+TEST(Exr, BlocksOfRowsJoin) {
+    // Wide enough to be read in several blocks that do not divide the chunks' 32 lines.
+    const Imath::Box2i window({0, 0}, {29999, 69});
+    expect_channels(make_file({{"Y", kFloat}}, window, Imf::PIZ_COMPRESSION, false), 30000, 70,
+                    {0, 0, 0, -1});
+}
+
+TEST(Exr, OtherChannelsAreRefused) {
+    const auto expect_refusal = [](const std::vector<ChannelSpec>& channels, ExitCode code) {
+        const auto image =
+            read_image(make_file(channels, kWindow, Imf::ZIP_COMPRESSION, false), "f");
+        ASSERT_FALSE(image);
+        EXPECT_EQ(image.error().code, code) << image.error().line();
+    };
+    expect_refusal({{"Y", kHalf}, {"RY", kHalf}, {"BY", kHalf}}, ExitCode::unsupported);
+    expect_refusal({{"R", kHalf}, {"G", kHalf}}, ExitCode::invalid);
+    expect_refusal({{"depth", kFloat}}, ExitCode::invalid);
+}
+
+TEST(Exr, CutIsRefused) {
+    for (const bool tiled : {false, true})
+        expect_cuts_refused(make_file({{"R", kHalf}, {"G", kHalf}, {"B", kHalf}}, kWindow,
+                                      Imf::ZIPS_COMPRESSION, tiled));
+}
+
+TEST(Exr, DamageIsSurvived) {
+    for (const bool tiled : {false, true})
+        expect_damage_survived(make_file({{"Y", kHalf}}, kWindow, Imf::ZIP_COMPRESSION, tiled),
+                               0x81);
+}
+
+TEST(Exr, HeaderThatLiesIsRefused) {
+    const auto good = make_file({{"Y", kHalf}}, kWindow, Imf::ZIP_COMPRESSION, true);
+    // Where an attribute's value begins: after its name, its type and its size.
+    const auto value_of = [&](std::string_view name, std::string_view type) {
+        const std::string key = std::string(name) + '\0' + std::string(type) + '\0';
+        const auto found = std::search(good.begin(), good.end(), key.begin(), key.end(),
+                                       [](std::byte a, char b) { return a == std::byte(b); });
+        return std::size_t(found - good.begin()) + key.size() + 4;
+    };
+    const auto expect_refusal = [&](std::size_t at, std::initializer_list<std::int32_t> numbers,
+                                    const char* why) {
+        std::vector<std::byte> bytes = good;
+        for (const std::int32_t number : numbers) {
+            std::memcpy(&bytes[at], &number, 4);
+            at += 4;
+        }
+        const auto image = read_image(bytes, "lying");
+        ASSERT_FALSE(image) << why;
+        EXPECT_EQ(image.error().code, ExitCode::invalid);
+        EXPECT_NE(image.error().message.find(why), std::string::npos) << image.error().line();
+    };
+    const std::size_t window = value_of("dataWindow", "box2i");
+    const std::size_t tiles = value_of("tiles", "tiledesc");
+    const std::size_t channels = value_of("channels", "chlist");
+    expect_refusal(window, {0, 0, 65535, 65535}, "in all");
+    expect_refusal(window, {-2147483647 - 1, 0, 2147483647, 0}, "a side");
+    expect_refusal(window, {0, 0, -1, 5}, "no pixels");
+    expect_refusal(window, {0, 0, 65535, 4095}, "");  // the chunks are missing
+    expect_refusal(tiles, {2147483647, 2147483647}, "too large");
+    expect_refusal(tiles, {65536, 1}, "too large");
+    expect_refusal(channels - 4, {2147483647}, "past the file");
+    expect_refusal(channels - 4, {-1}, "past the file");
+}
+
+}  // namespace
+}  // namespace hm

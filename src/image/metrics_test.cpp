@@ -1,0 +1,40 @@
+#include "image/metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "image/test_images.h"
+
+namespace hm {
+namespace {
+
+using namespace testing_images;
+
+TEST(CompareImages, KnownNumbers) {
+    Image a = make_image(2, 1, PixelFormat::rgba32f);
+    Image b = a;
+    EXPECT_EQ(compare_images(a, b).rmse, 0.0);
+    set_component(a, 0, 0, 2.0f), set_component(b, 0, 0, 1.0f);
+    set_component(b, 1, 2, -3.0f);
+    set_component(a, 1, 3, 99.0f);  // alpha does not count
+    const ImageError error = compare_images(a, b);
+    EXPECT_DOUBLE_EQ(error.mse, (1.0 + 9.0) / 6.0);
+    EXPECT_DOUBLE_EQ(error.rmse, std::sqrt(10.0 / 6.0));
+    EXPECT_DOUBLE_EQ(error.relative_mse, (1.0 / 1.01 + 9.0 / 9.01) / 6.0);
+    EXPECT_DOUBLE_EQ(error.max_abs, 3.0);
+    // `b` is the reference.
+    EXPECT_DOUBLE_EQ(compare_images(b, a).relative_mse, (1.0 / 4.01 + 9.0 / 0.01) / 6.0);
+}
+
+TEST(CompareImages, NanIsNotLost) {
+    Image a = make_image(2, 1, PixelFormat::rgba32f);
+    const Image b = a;
+    set_component(a, 0, 1, std::nanf(""));
+    const ImageError error = compare_images(a, b);
+    EXPECT_TRUE(std::isnan(error.mse) && std::isnan(error.rmse));
+    EXPECT_TRUE(std::isnan(error.relative_mse) && std::isnan(error.max_abs));
+}
+
+}  // namespace
+}  // namespace hm

@@ -1,0 +1,166 @@
+// PNG through libspng (W3C, Portable Network Graphics, third edition).
+#include <fmt/format.h>
+#include <spng.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "base/check.h"
+#include "image/codecs.h"
+
+namespace hm {
+namespace {
+
+struct FreeContext {
+    void operator()(spng_ctx* context) const { spng_ctx_free(context); }
+};
+using Context = std::unique_ptr<spng_ctx, FreeContext>;
+
+tl::unexpected<Error> refuse(std::string_view name, std::string message) {
+    return fail(ExitCode::invalid, std::string(name), "", "PNG: " + std::move(message));
+}
+
+std::uint64_t bits_per_pixel(const spng_ihdr& header) {
+    switch (header.color_type) {
+        case SPNG_COLOR_TYPE_TRUECOLOR:
+            return 3u * header.bit_depth;
+        case SPNG_COLOR_TYPE_GRAYSCALE_ALPHA:
+            return 2u * header.bit_depth;
+        case SPNG_COLOR_TYPE_TRUECOLOR_ALPHA:
+            return 4u * header.bit_depth;
+        default:
+            return header.bit_depth;
+    }
+}
+
+// Ancillary chunks are text and profiles; more of them than this is an attack.
+constexpr std::size_t kMaxChunkBytes = 64u << 20;
+constexpr std::size_t kMaxChunkBytesInAll = 128u << 20;
+
+// zlib's level 9 is many times slower for a few percent of size; see the bench in write_test.cpp.
+constexpr int kPngLevel = 4;
+
+// tEXt keywords have 1 to 79 characters of printable ASCII here (Latin-1 in the standard), without
+// spaces at the ends or two in a row.
+std::string text_keyword(std::string_view name) {
+    std::string keyword;
+    for (const char c : name.substr(0, 79))
+        keyword += c > ' ' && c <= '~' ? c : '_';
+    return keyword.empty() ? "_" : keyword;
+}
+
+std::string text_value(std::string value) {
+    for (char& c : value) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte < 0x20 && c != '\n') || byte == 0x7F) c = ' ';
+    }
+    return value;
+}
+
+bool is_ascii(std::string_view text) {
+    for (const char c : text)
+        if (static_cast<unsigned char>(c) > 0x7E) return false;
+    return true;
+}
+
+std::vector<std::byte> without_alpha(const Image& image) {
+    const std::size_t count = image.pixels.size() / 4;
+    std::vector<std::byte> packed(count * 3);
+    for (std::size_t i = 0; i < count; ++i)
+        std::memcpy(&packed[3 * i], &image.pixels[4 * i], 3);
+    return packed;
+}
+
+int set_text(spng_ctx* context, const Metadata& metadata, std::vector<std::string>& values) {
+    static char empty[] = "";
+    std::vector<spng_text> texts(metadata.size());
+    values.resize(metadata.size());  // libspng keeps pointers to them until the picture is encoded
+    for (std::size_t i = 0; i < metadata.size(); ++i) {
+        values[i] = text_value(metadata[i].second);
+        const std::string keyword = text_keyword(metadata[i].first);
+        std::memcpy(texts[i].keyword, keyword.c_str(), keyword.size() + 1);
+        // tEXt is Latin-1; what goes beyond ASCII is UTF-8 and needs iTXt.
+        texts[i].type = is_ascii(values[i]) ? SPNG_TEXT : SPNG_ITXT;
+        texts[i].length = values[i].size();
+        texts[i].text = values[i].data();
+        texts[i].language_tag = empty;
+        texts[i].translated_keyword = empty;
+    }
+    return texts.empty() ? SPNG_OK
+                         : spng_set_text(context, texts.data(), std::uint32_t(texts.size()));
+}
+
+}  // namespace
+
+Result<Image> decode_png(Bytes bytes, std::string_view name) {
+    const Context context(spng_ctx_new(0));
+    if (!context) throw std::bad_alloc();
+    spng_set_chunk_limits(context.get(), kMaxChunkBytes, kMaxChunkBytesInAll);
+    spng_ihdr header{};
+    int status = spng_set_png_buffer(context.get(), bytes.data(), bytes.size());
+    if (status == SPNG_OK) status = spng_get_ihdr(context.get(), &header);
+    if (status != SPNG_OK) return refuse(name, spng_strerror(status));
+    HM_TRY(check_image_size(header.width, header.height, name));
+
+    // Deflate turns one byte into at most 1032 (two bits for a run of 258).
+    const std::uint64_t pixels = std::uint64_t(header.width) * header.height;
+    if (pixels * bits_per_pixel(header) / 8 > bytes.size() * 1032)
+        return refuse(name, fmt::format("{} bytes are too few for {} x {} pixels", bytes.size(),
+                                        header.width, header.height));
+
+    Image image{header.width,
+                header.height,
+                header.bit_depth == 16 ? PixelFormat::rgba16 : PixelFormat::rgba8,
+                {}};
+    image.pixels.resize(pixels * bytes_per_pixel(image.format));
+    const int format = header.bit_depth == 16 ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
+    status = spng_decode_image(context.get(), image.pixels.data(), image.pixels.size(), format,
+                               SPNG_DECODE_TRNS);
+    // The chunks after the picture, to know that the file is whole.
+    if (status == SPNG_OK) status = spng_decode_chunks(context.get());
+    if (status == SPNG_EMEM) throw std::bad_alloc();
+    if (status != SPNG_OK) return refuse(name, spng_strerror(status));
+    return image;
+}
+
+Result<std::vector<std::byte>> encode_png(const Image& image, bool alpha,
+                                          const Metadata& metadata) {
+    HM_CHECK(image.format == PixelFormat::rgba8, "format = {}", unsigned(image.format));
+    const Context context(spng_ctx_new(SPNG_CTX_ENCODER));
+    if (!context) throw std::bad_alloc();
+    spng_ihdr header{};
+    header.width = image.width;
+    header.height = image.height;
+    header.bit_depth = 8;
+    header.color_type = alpha ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA : SPNG_COLOR_TYPE_TRUECOLOR;
+
+    constexpr std::uint8_t kRelativeColorimetric = 1;
+    std::vector<std::string> values;
+    int status = spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
+    if (status == SPNG_OK)
+        status = spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, kPngLevel);
+    if (status == SPNG_OK) status = spng_set_ihdr(context.get(), &header);
+    if (status == SPNG_OK) status = spng_set_srgb(context.get(), kRelativeColorimetric);
+    if (status == SPNG_OK) status = set_text(context.get(), metadata, values);
+    if (status == SPNG_OK) {
+        const std::vector<std::byte> packed =
+            alpha ? std::vector<std::byte>() : without_alpha(image);
+        const std::vector<std::byte>& pixels = alpha ? image.pixels : packed;
+        status = spng_encode_image(context.get(), pixels.data(), pixels.size(), SPNG_FMT_PNG,
+                                   SPNG_ENCODE_FINALIZE);
+    }
+    std::size_t size = 0;
+    void* encoded = nullptr;
+    if (status == SPNG_OK) encoded = spng_get_png_buffer(context.get(), &size, &status);
+    if (status != SPNG_OK)
+        return fail(ExitCode::unwritable, "", "", std::string("PNG: ") + spng_strerror(status));
+    const std::unique_ptr<void, decltype(&std::free)> owner(encoded, &std::free);
+    const auto* first = static_cast<const std::byte*>(encoded);
+    return std::vector<std::byte>(first, first + size);
+}
+
+}  // namespace hm

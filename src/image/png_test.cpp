@@ -1,0 +1,280 @@
+// PNG: what libspng writes as each colour type comes back as the standard says.
+#include <gtest/gtest.h>
+#include <spng.h>
+
+#include <array>
+#include <cstdlib>
+#include <optional>
+
+#include "image/test_images.h"
+#include "image/write.h"
+
+namespace hm {
+namespace {
+
+using namespace testing_images;
+
+struct PngParts {
+    std::uint32_t width = 0, height = 0;
+    std::uint8_t depth = 8;
+    std::uint8_t type = SPNG_COLOR_TYPE_TRUECOLOR;
+    bool interlaced = false;
+    std::optional<spng_plte> palette;
+    std::optional<spng_trns> transparency;
+    std::vector<std::byte> rows;  // as stored, but 16-bit numbers in the machine's order
+};
+
+std::vector<std::byte> encode(const PngParts& parts) {
+    spng_ctx* context = spng_ctx_new(SPNG_CTX_ENCODER);
+    spng_set_option(context, SPNG_ENCODE_TO_BUFFER, 1);
+    spng_ihdr header{parts.width,
+                     parts.height,
+                     parts.depth,
+                     parts.type,
+                     0,
+                     0,
+                     std::uint8_t(parts.interlaced ? SPNG_INTERLACE_ADAM7 : SPNG_INTERLACE_NONE)};
+    EXPECT_EQ(spng_set_ihdr(context, &header), 0);
+    if (parts.palette) {
+        spng_plte palette = *parts.palette;
+        EXPECT_EQ(spng_set_plte(context, &palette), 0);
+    }
+    if (parts.transparency) {
+        spng_trns transparency = *parts.transparency;
+        EXPECT_EQ(spng_set_trns(context, &transparency), 0);
+    }
+    const int status = spng_encode_image(context, parts.rows.data(), parts.rows.size(),
+                                         SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
+    EXPECT_EQ(status, 0) << spng_strerror(status);
+    std::size_t size = 0;
+    int error = 0;
+    void* data = spng_get_png_buffer(context, &size, &error);
+    EXPECT_EQ(error, 0);
+    const auto* first = static_cast<const std::byte*>(data);
+    std::vector<std::byte> bytes(first, first + size);
+    std::free(data);
+    spng_ctx_free(context);
+    return bytes;
+}
+
+std::vector<std::byte> bytes_from(std::initializer_list<unsigned> values) {
+    std::vector<std::byte> bytes;
+    for (const unsigned value : values)
+        bytes.push_back(std::byte(value));
+    return bytes;
+}
+
+std::vector<std::byte> bytes_from_16(std::initializer_list<unsigned> values) {
+    std::vector<std::byte> bytes;
+    for (const unsigned value : values) {
+        const auto word = std::uint16_t(value);
+        std::byte two[2];
+        std::memcpy(two, &word, 2);
+        bytes.insert(bytes.end(), two, two + 2);
+    }
+    return bytes;
+}
+
+using Rgba = std::array<unsigned, 4>;
+
+void expect_pixels(const PngParts& parts, const std::vector<Rgba>& expected) {
+    const Image image = read_whole(encode(parts));
+    ASSERT_EQ(image.width, parts.width);
+    ASSERT_EQ(image.height, parts.height);
+    ASSERT_EQ(image.format, parts.depth == 16 ? PixelFormat::rgba16 : PixelFormat::rgba8);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        for (std::size_t c = 0; c < 4; ++c) {
+            const unsigned value = parts.depth == 16 ? component<std::uint16_t>(image, i, c)
+                                                     : component<std::uint8_t>(image, i, c);
+            EXPECT_EQ(value, expected[i][c]) << "pixel " << i << " component " << c;
+        }
+}
+
+TEST(Png, GreyOfEveryDepth) {
+    PngParts parts{8, 1, 1, SPNG_COLOR_TYPE_GRAYSCALE, false, {}, {}, bytes_from({0b01100001})};
+    expect_pixels(parts,
+                  {{0, 0, 0, 255}, {255, 255, 255, 255}, {255, 255, 255, 255}, {0, 0, 0, 255}});
+    parts.width = 4, parts.depth = 2, parts.rows = bytes_from({0b00011011});
+    expect_pixels(parts,
+                  {{0, 0, 0, 255}, {85, 85, 85, 255}, {170, 170, 170, 255}, {255, 255, 255, 255}});
+    parts.width = 2, parts.depth = 4, parts.rows = bytes_from({0x3F});
+    expect_pixels(parts, {{51, 51, 51, 255}, {255, 255, 255, 255}});
+    parts.depth = 8, parts.rows = bytes_from({7, 200});
+    expect_pixels(parts, {{7, 7, 7, 255}, {200, 200, 200, 255}});
+    parts.depth = 16, parts.rows = bytes_from_16({0x0102, 0xFFFE});
+    expect_pixels(parts, {{0x0102, 0x0102, 0x0102, 65535}, {0xFFFE, 0xFFFE, 0xFFFE, 65535}});
+}
+
+TEST(Png, GreyWithAlpha) {
+    PngParts parts{2,     1,  8,  SPNG_COLOR_TYPE_GRAYSCALE_ALPHA,
+                   false, {}, {}, bytes_from({9, 128, 77, 0})};
+    expect_pixels(parts, {{9, 9, 9, 128}, {77, 77, 77, 0}});
+    parts.depth = 16, parts.rows = bytes_from_16({300, 400, 500, 0});
+    expect_pixels(parts, {{300, 300, 300, 400}, {500, 500, 500, 0}});
+}
+
+TEST(Png, Truecolour) {
+    PngParts parts{2,     1,  8,  SPNG_COLOR_TYPE_TRUECOLOR,
+                   false, {}, {}, bytes_from({1, 2, 3, 4, 5, 6})};
+    expect_pixels(parts, {{1, 2, 3, 255}, {4, 5, 6, 255}});
+    parts.depth = 16, parts.rows = bytes_from_16({1000, 2, 3, 4, 5, 60000});
+    expect_pixels(parts, {{1000, 2, 3, 65535}, {4, 5, 60000, 65535}});
+    parts.type = SPNG_COLOR_TYPE_TRUECOLOR_ALPHA, parts.width = 1;
+    parts.rows = bytes_from_16({1000, 2, 3, 4444});
+    expect_pixels(parts, {{1000, 2, 3, 4444}});
+    parts.depth = 8, parts.rows = bytes_from({9, 8, 7, 6});
+    expect_pixels(parts, {{9, 8, 7, 6}});
+}
+
+TEST(Png, PaletteWithTransparency) {
+    spng_plte palette{};
+    palette.n_entries = 4;
+    palette.entries[0] = {10, 20, 30, 255};
+    palette.entries[1] = {40, 50, 60, 255};
+    palette.entries[2] = {70, 80, 90, 255};
+    palette.entries[3] = {1, 2, 3, 255};
+    spng_trns transparency{};
+    transparency.n_type3_entries = 2;  // the entries after these are opaque
+    transparency.type3_alpha[0] = 0;
+    transparency.type3_alpha[1] = 99;
+    const std::vector<Rgba> expected = {
+        {10, 20, 30, 0}, {40, 50, 60, 99}, {70, 80, 90, 255}, {1, 2, 3, 255}};
+    for (const std::uint8_t depth : std::initializer_list<std::uint8_t>{2, 4, 8}) {
+        PngParts parts{4, 1, depth, SPNG_COLOR_TYPE_INDEXED, false, palette, transparency, {}};
+        parts.rows = depth == 2   ? bytes_from({0b00011011})
+                     : depth == 4 ? bytes_from({0x01, 0x23})
+                                  : bytes_from({0, 1, 2, 3});
+        SCOPED_TRACE(int(depth));
+        expect_pixels(parts, expected);
+    }
+}
+
+TEST(Png, TransparentColour) {
+    spng_trns transparency{};
+    transparency.gray = 5;
+    PngParts parts{2, 1, 4, SPNG_COLOR_TYPE_GRAYSCALE, false, {}, transparency, bytes_from({0x56})};
+    expect_pixels(parts, {{85, 85, 85, 0}, {102, 102, 102, 255}});
+    transparency.gray = 0x0102;
+    parts.transparency = transparency;
+    parts.depth = 16, parts.rows = bytes_from_16({0x0102, 0x0103});
+    expect_pixels(parts, {{0x0102, 0x0102, 0x0102, 0}, {0x0103, 0x0103, 0x0103, 65535}});
+    transparency = {};
+    transparency.red = 1, transparency.green = 2, transparency.blue = 3;
+    parts.transparency = transparency;
+    parts.type = SPNG_COLOR_TYPE_TRUECOLOR, parts.depth = 8;
+    parts.rows = bytes_from({1, 2, 3, 1, 2, 4});
+    expect_pixels(parts, {{1, 2, 3, 0}, {1, 2, 4, 255}});
+}
+
+TEST(Png, Interlaced) {
+    // libspng writes the passes; each row below is a row of the whole picture.
+    PngParts parts{9, 11, 8, SPNG_COLOR_TYPE_GRAYSCALE, true, {}, {}, {}};
+    std::vector<Rgba> expected;
+    for (unsigned i = 0; i < 99; ++i) {
+        parts.rows.push_back(std::byte(2 * i));
+        expected.push_back({2 * i, 2 * i, 2 * i, 255});
+    }
+    expect_pixels(parts, expected);
+    expect_cuts_refused(encode(parts));
+}
+
+Image gradient(std::uint32_t width, std::uint32_t height) {
+    Image image = make_image(width, height, PixelFormat::rgba8);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = std::byte(i * 7 % 251);
+    return image;
+}
+
+TEST(Png, WrittenIsReadAgain) {
+    const Folder folder;
+    const Image image = gradient(37, 19);
+    ASSERT_TRUE(write_png(folder / "a.png", image, true, {}));
+    EXPECT_EQ(read_whole(bytes_of_file(folder / "a.png")).pixels, image.pixels);
+    ASSERT_TRUE(write_png(folder / "b.png", image, false, {}));
+    const Image opaque = read_whole(bytes_of_file(folder / "b.png"));
+    for (std::size_t i = 0; i < 37 * 19; ++i) {
+        for (std::size_t c = 0; c < 3; ++c)
+            ASSERT_EQ(component<std::uint8_t>(opaque, i, c), component<std::uint8_t>(image, i, c));
+        ASSERT_EQ(component<std::uint8_t>(opaque, i, 3), 255);
+    }
+}
+
+TEST(Png, MetadataSurvives) {
+    const Folder folder;
+    const Metadata metadata = {{"Software", "Himalaya 0.1"},
+                               {"two words\n", "a\tb\nc"},
+                               {"Title", "\xC3\x89t\xC3\xA9"},
+                               {std::string(200, 'k'), ""}};
+    ASSERT_TRUE(write_png(folder / "a.png", gradient(3, 3), false, metadata));
+    const auto bytes = bytes_of_file(folder / "a.png");
+    spng_ctx* context = spng_ctx_new(0);
+    spng_set_png_buffer(context, bytes.data(), bytes.size());
+    ASSERT_EQ(spng_decode_chunks(context), 0);
+    std::uint8_t intent = 0;
+    EXPECT_EQ(spng_get_srgb(context, &intent), 0);
+    std::uint32_t count = 4;
+    spng_text texts[4];
+    ASSERT_EQ(spng_get_text(context, texts, &count), 0);
+    ASSERT_EQ(count, 4u);
+    EXPECT_STREQ(texts[0].keyword, "Software");
+    EXPECT_STREQ(texts[0].text, "Himalaya 0.1");
+    EXPECT_STREQ(texts[1].keyword, "two_words_");
+    EXPECT_STREQ(texts[1].text, "a b\nc");
+    EXPECT_EQ(texts[2].type, SPNG_ITXT);
+    EXPECT_STREQ(texts[2].text, "\xC3\x89t\xC3\xA9");
+    EXPECT_EQ(std::string(texts[3].keyword), std::string(79, 'k'));
+    spng_ctx_free(context);
+}
+
+TEST(Png, CutOrDamagedIsRefused) {
+    const auto bytes = encode_png(gradient(16, 9), true, {{"a", "b"}});
+    ASSERT_TRUE(bytes);
+    expect_cuts_refused(*bytes);
+    // Every chunk has a checksum, and every byte of this file is in a chunk or checked otherwise.
+    for (std::size_t i = 0; i < bytes->size(); ++i) {
+        std::vector<std::byte> damaged = *bytes;
+        damaged[i] ^= std::byte(0x10);
+        EXPECT_FALSE(read_image(damaged, "damaged")) << "byte " << i;
+    }
+}
+
+// The checksum of a chunk, as the standard's annex on it defines it, for headers that lie.
+std::uint32_t checksum(Bytes bytes) {
+    std::uint32_t sum = 0xFFFFFFFFu;
+    for (const std::byte b : bytes) {
+        sum ^= std::to_integer<std::uint32_t>(b);
+        for (int bit = 0; bit < 8; ++bit)
+            sum = (sum >> 1) ^ (sum & 1u ? 0xEDB88320u : 0u);
+    }
+    return ~sum;
+}
+
+TEST(Png, HeaderThatLiesIsRefused) {
+    const auto lying = [](std::uint32_t width, std::uint32_t height) {
+        auto bytes = *encode_png(gradient(16, 9), true, {});
+        const auto store = [&](std::size_t at, std::uint32_t value) {
+            for (std::size_t i = 0; i < 4; ++i)
+                bytes[at + i] = std::byte(value >> (24 - 8 * i) & 255);
+        };
+        store(16, width);
+        store(20, height);
+        store(29, checksum(Bytes(bytes).subspan(12, 17)));
+        return bytes;
+    };
+    EXPECT_TRUE(read_image(lying(16, 9), "right"));
+    const auto expect_refusal = [&](std::uint32_t width, std::uint32_t height, const char* why) {
+        const auto image = read_image(lying(width, height), "lying");
+        ASSERT_FALSE(image);
+        EXPECT_EQ(image.error().code, ExitCode::invalid);
+        EXPECT_NE(image.error().message.find(why), std::string::npos) << image.error().line();
+    };
+    expect_refusal(65536, 65536, "in all");
+    expect_refusal(65537, 1, "a side");
+    expect_refusal(0x7FFFFFFF, 0x7FFFFFFF, "a side");
+    expect_refusal(65536, 4096, "too few");
+    expect_refusal(16, 10, "");
+    expect_refusal(0, 9, "");
+}
+
+}  // namespace
+}  // namespace hm

@@ -1,0 +1,93 @@
+// What the tests of this folder share.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/files.h"
+#include "image/codecs.h"
+#include "image/read.h"
+
+namespace hm::testing_images {
+
+inline Image make_image(std::uint32_t width, std::uint32_t height, PixelFormat format) {
+    return {width, height, format,
+            std::vector<std::byte>(std::size_t(width) * height * bytes_per_pixel(format))};
+}
+
+// Component `c` of pixel `i` in memory order.
+template <class T>
+T component(const Image& image, std::size_t i, std::size_t c) {
+    T value;
+    std::memcpy(&value, &image.pixels[(4 * i + c) * sizeof(T)], sizeof(T));
+    return value;
+}
+
+template <class T>
+void set_component(Image& image, std::size_t i, std::size_t c, T value) {
+    std::memcpy(&image.pixels[(4 * i + c) * sizeof(T)], &value, sizeof(T));
+}
+
+// A folder of the test's own, removed at its end.
+class Folder {
+  public:
+    Folder() {
+        std::string pattern =
+            (std::filesystem::temp_directory_path() / "image_test-XXXXXX").string();
+        path_ = ::mkdtemp(pattern.data()) ? pattern : std::string();
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    std::filesystem::path operator/(const char* name) const { return path_ / name; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+inline std::vector<std::byte> bytes_of_file(const std::filesystem::path& path) {
+    auto bytes = read_file(path);
+    EXPECT_TRUE(bytes) << bytes.error().line();
+    return bytes ? std::move(*bytes) : std::vector<std::byte>();
+}
+
+inline Image read_whole(Bytes bytes) {
+    auto image = read_image(bytes, "test");
+    EXPECT_TRUE(image) << image.error().line();
+    return image ? std::move(*image) : Image{};
+}
+
+// A file that ends early has to be refused wherever it ends. The copy has the exact size, so that a
+// sanitizer sees a read past it.
+inline void expect_cuts_refused(Bytes bytes) {
+    for (std::size_t size = 0; size < bytes.size(); size += 7) {
+        const std::vector<std::byte> cut(bytes.begin(), bytes.begin() + std::ptrdiff_t(size));
+        const auto image = read_image(cut, "cut");
+        ASSERT_FALSE(image) << "accepted " << size << " of " << bytes.size() << " bytes";
+        ASSERT_EQ(image.error().code, ExitCode::invalid) << image.error().line();
+        ASSERT_EQ(image.error().file, "cut");
+    }
+    const std::vector<std::byte> but_one(bytes.begin(), bytes.end() - 1);
+    ASSERT_FALSE(read_image(but_one, "cut"));
+}
+
+// Damage must not crash; whether it is noticed depends on the format.
+inline void expect_damage_survived(Bytes bytes, unsigned char flip) {
+    std::vector<std::byte> damaged(bytes.begin(), bytes.end());
+    for (std::size_t i = 0; i < damaged.size(); ++i) {
+        damaged[i] ^= std::byte(flip);
+        const auto image = read_image(damaged, "damaged");
+        EXPECT_TRUE(!image || !image->pixels.empty());
+        damaged[i] ^= std::byte(flip);
+    }
+}
+
+}  // namespace hm::testing_images
