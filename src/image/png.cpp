@@ -58,7 +58,7 @@ std::string text_value(std::string value) {
         const auto byte = static_cast<unsigned char>(c);
         if ((byte < 0x20 && c != '\n') || byte == 0x7F) c = ' ';
     }
-    return value;
+    return value.empty() ? " " : value;  // libspng refuses empty texts
 }
 
 bool is_ascii(std::string_view text) {
@@ -99,6 +99,8 @@ int set_text(spng_ctx* context, const Metadata& metadata, std::vector<std::strin
 Result<Image> decode_png(Bytes bytes, std::string_view name) {
     const Context context(spng_ctx_new(0));
     if (!context) throw std::bad_alloc();
+    // A damaged transparency chunk must not go unnoticed; the library's default is to drop it.
+    spng_set_crc_action(context.get(), SPNG_CRC_ERROR, SPNG_CRC_ERROR);
     spng_set_chunk_limits(context.get(), kMaxChunkBytes, kMaxChunkBytesInAll);
     spng_ihdr header{};
     int status = spng_set_png_buffer(context.get(), bytes.data(), bytes.size());
