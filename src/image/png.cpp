@@ -41,8 +41,10 @@ std::uint64_t bits_per_pixel(const spng_ihdr& header) {
 constexpr std::size_t kMaxChunkBytes = 64u << 20;
 constexpr std::size_t kMaxChunkBytesInAll = 128u << 20;
 
-// zlib's level 9 is many times slower for a few percent of size; see the bench in write_test.cpp.
-constexpr int kPngLevel = 4;
+// For quick writing of large pictures: on a photograph level 6 with a choice among all filters took
+// 5.6 times as long for a file 5 % smaller.
+constexpr int kCompressionLevel = 2;
+constexpr int kFilters = SPNG_FILTER_CHOICE_SUB | SPNG_FILTER_CHOICE_UP;
 
 // tEXt keywords have 1 to 79 characters of printable ASCII here (Latin-1 in the standard), without
 // spaces at the ends or two in a row.
@@ -144,7 +146,8 @@ Result<std::vector<std::byte>> encode_png(const Image& image, bool alpha,
     std::vector<std::string> values;
     int status = spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
     if (status == SPNG_OK)
-        status = spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, kPngLevel);
+        status = spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, kCompressionLevel);
+    if (status == SPNG_OK) status = spng_set_option(context.get(), SPNG_FILTER_CHOICE, kFilters);
     if (status == SPNG_OK) status = spng_set_ihdr(context.get(), &header);
     if (status == SPNG_OK) status = spng_set_srgb(context.get(), kRelativeColorimetric);
     if (status == SPNG_OK) status = set_text(context.get(), metadata, values);
