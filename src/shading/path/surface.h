@@ -43,7 +43,8 @@ HM_FN void load_extras(uint geometry, uint primitive, vec3 weights, HM_OUT(vec2)
     color = e.a.color * weights.x + e.b.color * weights.y + e.c.color * weights.z;
 }
 
-// The tangent and bitangent of the texture's u and v where a file brings none.
+// The tangent along growing u where a file brings none. As in files that bring one, the bitangent
+// cross(normal, tangent) * w points to the picture's top: against growing v.
 HM_FN void derive_tangent(HM_IN(Triangle) t, vec2 uv_a, vec2 uv_b, vec2 uv_c,
                           HM_OUT(vec4) tangent) {
     vec3 edge1 = t.b.position - t.a.position;
@@ -52,7 +53,7 @@ HM_FN void derive_tangent(HM_IN(Triangle) t, vec2 uv_a, vec2 uv_b, vec2 uv_c,
     vec2 d2 = uv_c - uv_a;
     float area = d1.x * d2.y - d1.y * d2.x;
     vec3 direction = (edge1 * d2.y - edge2 * d1.y) * (area < 0.0f ? -1.0f : 1.0f);
-    tangent = vec4(direction.x, direction.y, direction.z, area < 0.0f ? -1.0f : 1.0f);
+    tangent = vec4(direction.x, direction.y, direction.z, area < 0.0f ? 1.0f : -1.0f);
 }
 
 // The normal map's normal in world space. z is rebuilt from x and y; `normal_scale` scales those.
@@ -107,7 +108,15 @@ HM_FN void load_surface(HM_IN(HitIds) ids, vec2 barycentrics, vec3 direction, HM
             vec4 ta = t.a.tangent * weights.x + t.b.tangent * weights.y + t.c.tangent * weights.z;
             tangent = vec4(ta.x, ta.y, ta.z, ta.w < 0.0f ? -1.0f : 1.0f);
         } else {
-            derive_tangent(t, t.a.uv0, t.b.uv0, t.c.uv0, tangent);
+            bool second_set = texture_uses[materials[s.material].normal_texture].uv_set != 0u &&
+                              (geometry.flags & kGeometryHasExtras) != 0u;
+            if (second_set) {
+                TriangleExtras e;
+                load_triangle_extras(s.geometry, ids.primitive, e);
+                derive_tangent(t, e.a.uv1, e.b.uv1, e.c.uv1, tangent);
+            } else {
+                derive_tangent(t, t.a.uv0, t.b.uv0, t.c.uv0, tangent);
+            }
         }
         s.ns = map_normal(materials[s.material], instance, s, tangent);
     }
