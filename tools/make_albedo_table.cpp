@@ -57,7 +57,7 @@ int main() {
         for (int column = 0; column < 32; ++column) {
             double root = column / 31.0;
             Split e = integrate(std::clamp(root * root, 1e-5, 1.0), roughness * roughness);
-            fmt::print("{:.7g}f, {:.7g}f,{}", e.x, e.y, column % 4 == 3 ? "\n" : " ");
+            fmt::print("{:.7e}f, {:.7e}f,{}", e.x, e.y, column % 4 == 3 ? "\n" : " ");
         }
     }
     return 0;
