@@ -1,0 +1,78 @@
+// The stages of shading/path with brute-force hooks as a C++ struct, and the scene that the GPU
+// tests draw with it. Both languages read the same tables.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/flatten.h"
+#include "shading/shading.h"
+#include "shading/tables/tables.h"
+
+namespace hm::test {
+
+struct PathTracer {
+    // In the order of path_tables.glsl.
+    RenderParams params{};
+    CameraData camera{};
+    EnvironmentData environment{};
+    uint instance_count = 0;
+    std::vector<uint> sobol_directions;
+    std::vector<uvec4> sobol_nibbles;
+    std::vector<uint> blue_noise;
+    std::vector<vec2> albedo_table;
+    std::vector<vec2> albedo_average;
+    std::vector<float> filter_table;
+    std::vector<MaterialData> materials;
+    std::vector<TextureUse> texture_uses;
+    std::vector<GeometryData> geometries;
+    std::vector<InstanceData> instances;
+    std::vector<LightData> lights;
+    std::vector<AliasEntry> light_alias;
+    std::vector<EmitterTriangle> emitters;
+    std::vector<AliasEntry> emitter_alias;
+    std::vector<vec4> environment_texels;
+    std::vector<AliasEntry> environment_alias;
+    std::vector<Vertex> scene_vertices;
+    std::vector<VertexExtra> scene_extras;
+    std::vector<uvec3> scene_triangles;
+    std::vector<uvec2> scene_offsets;
+    std::vector<uint> mesh_geometry_counts;  // by instance
+    std::vector<uvec3> scene_images;
+    std::vector<uint> scene_texels;
+
+#include "gpu/brute_force.h"
+
+    // Copies the scene's tables; `params` but its light ranges is the caller's.
+    explicit PathTracer(const FlatScene& scene);
+
+    void choose_lights(const FlatScene& scene) {
+        set_light_ranges(scene, params);
+    }
+
+    // The storage behind bindings 2 and up. The settings are copied into `settings`, which must
+    // outlive the use of the result.
+    struct Settings {
+        RenderParams params;
+        CameraData camera;
+        EnvironmentData environment;
+        uint instance_count;
+    };
+    std::vector<std::span<std::byte>> buffers(Settings& settings);
+};
+
+// A small box with every feature that the stages have: textures of both filters and all wrap modes,
+// normal maps, masked and blended surfaces, vertex colours, a second UV set, a mirrored instance,
+// emissive and textured emissive triangles, the three punctual lights and an environment.
+struct TestScene {
+    Scene scene;
+    FlatScene flat;
+    CameraData camera{};
+
+    TestScene();
+};
+
+}  // namespace hm::test
