@@ -34,7 +34,8 @@ __attribute__((noinline)) static inline bool intersect_lane_double(const BvhPack
     if ((a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0)) return false;
     const double sum = a + b + c;
     if (!(sum < 0 || sum > 0)) return false;
-    const double t = double(ray.scale_z) * ((a / sum) * z[0] + (b / sum) * z[1] + (c / sum) * z[2]);
+    const double t =
+        double(ray.scale_z) * (z[0] + (b / sum) * (z[1] - z[0]) + (c / sum) * (z[2] - z[0]));
     hits.t[lane] = float(t);
     hits.u[lane] = float(b / sum);
     hits.v[lane] = float(c / sum);
@@ -74,7 +75,8 @@ HM_ALWAYS_INLINE std::uint32_t intersect_packet(const BvhPacket& packet, const R
     const Float8 inverse = splat8(1) / sum;
     const Float8 u = b * inverse;
     const Float8 v = c * inverse;
-    const Float8 t = splat8(ray.scale_z) * ((a * inverse) * az + u * bz + v * cz);
+    // In this form triangles of one plane across the ray are at one distance exactly.
+    const Float8 t = splat8(ray.scale_z) * (az + (u * (bz - az) + v * (cz - az)));
     // Beyond these 1 / sum or an edge function is no longer a normal number.
     const Float8 size = highest(sum, zero - sum);
     const std::uint32_t sure = mask_differ(a, zero) & mask_differ(b, zero) & mask_differ(c, zero) &
