@@ -92,7 +92,7 @@ std::size_t GltfWriter::add_accessor(std::span<const std::byte> bytes, int targe
     return accessors_.size() - 1;
 }
 
-int GltfWriter::add_geometry(const TriangleMesh& mesh) {
+GltfPrimitive GltfWriter::add_primitive(const TriangleMesh& mesh, int material) {
     glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
     for (const glm::vec3& p : mesh.positions) {
         low = glm::min(low, p);
@@ -108,8 +108,9 @@ int GltfWriter::add_geometry(const TriangleMesh& mesh) {
     };
     add("POSITION", bytes_of(mesh.positions), "VEC3", bounds);
     add("NORMAL", bytes_of(mesh.normals), "VEC3", "");
-    if (!mesh.tangents.empty()) add("TANGENT", bytes_of(mesh.tangents), "VEC4", "");
-    if (!mesh.uvs.empty()) add("TEXCOORD_0", bytes_of(mesh.uvs), "VEC2", "");
+    const MaterialNeeds needs = needs_[std::size_t(material)];
+    if (needs.tangents) add("TANGENT", bytes_of(mesh.tangents), "VEC4", "");
+    if (needs.uvs) add("TEXCOORD_0", bytes_of(mesh.uvs), "VEC2", "");
 
     Geometry geometry;
     geometry.attributes = fmt::format("{{{}}}", joined(attributes, ","));
@@ -119,7 +120,7 @@ int GltfWriter::add_geometry(const TriangleMesh& mesh) {
         add_accessor(narrow ? bytes_of(shorts) : bytes_of(mesh.indices), kElementArrayBuffer,
                      narrow ? kUnsignedShort : kUnsignedInt, mesh.indices.size(), "SCALAR", "");
     geometries_.push_back(geometry);
-    return int(geometries_.size()) - 1;
+    return {int(geometries_.size()) - 1, material};
 }
 
 Result<int> GltfWriter::add_texture(const std::string& name, const Picture& picture) {
@@ -135,6 +136,8 @@ int GltfWriter::add_material(const std::string& name, const std::string& propert
     for (std::size_t at = properties.find("\"KHR_"); at != std::string::npos;
          at = properties.find("\"KHR_", at + 1))
         extensions_.insert(properties.substr(at + 1, properties.find('"', at + 1) - at - 1));
+    needs_.push_back({properties.find("Texture\"") != std::string::npos,
+                      properties.find("\"normalTexture\"") != std::string::npos});
     materials_.push_back(fmt::format("{{\"name\":\"{}\",{}}}", name, properties));
     return int(materials_.size()) - 1;
 }
@@ -185,7 +188,7 @@ void GltfWriter::add_node(const GltfNode& node) {
 }
 
 void GltfWriter::add_object(const std::string& name, const TriangleMesh& mesh, int material) {
-    const GltfPrimitive primitive{add_geometry(mesh), material};
+    const GltfPrimitive primitive = add_primitive(mesh, material);
     add_node({.name = name, .mesh = add_mesh(name, {&primitive, 1})});
 }
 

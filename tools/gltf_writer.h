@@ -43,9 +43,10 @@ struct GltfNode {
 
 class GltfWriter {
   public:
-    // The accessors of one triangle mesh, for any number of primitives. Only the attributes that
-    // the mesh has are written; indices take 16 bits where they fit.
-    int add_geometry(const TriangleMesh& mesh);
+    // Writes a triangle mesh's accessors. Texture coordinates and tangents are left out if
+    // `material` does not read them; indices take 16 bits where they fit. Further primitives may
+    // use the same geometry with a material that reads the same.
+    GltfPrimitive add_primitive(const TriangleMesh& mesh, int material);
 
     Result<int> add_texture(const std::string& name, const Picture& picture);
 
@@ -64,6 +65,10 @@ class GltfWriter {
     Result<void> write(const std::filesystem::path& path) const;
 
   private:
+    struct MaterialNeeds {
+        bool uvs = false;
+        bool tangents = false;
+    };
     struct Geometry {
         std::string attributes;  // JSON object
         std::size_t indices = 0;
@@ -76,6 +81,7 @@ class GltfWriter {
 
     std::vector<std::byte> buffer_;
     std::vector<Geometry> geometries_;
+    std::vector<MaterialNeeds> needs_;  // one per material
     std::vector<std::string> views_, accessors_, images_, textures_, materials_, meshes_, cameras_,
         lights_, nodes_;
     std::set<std::string> extensions_;

@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "usage: make_scenes FOLDER\n");
         return int(hm::ExitCode::usage);
     }
-    for (const auto write : {hm::write_cornell, hm::write_spheres})
+    for (const auto write : {hm::write_cornell, hm::write_spheres, hm::write_hero})
         if (const auto result = write(argv[1]); !result) {
             fmt::print(stderr, "make_scenes: {}\n", result.error().line());
             return int(result.error().code);

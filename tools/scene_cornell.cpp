@@ -1,6 +1,6 @@
 // The Cornell box as it was measured at Cornell University (room, blocks, lamp and camera in
 // millimetres; reflectances and lamp as linear Rec.709). The lamp hangs a millimetre below the
-// ceiling. Diffuse surfaces have no specular layer, as the original has none.
+// ceiling.
 #include <fmt/format.h>
 
 #include <array>
@@ -40,8 +40,7 @@ TriangleMesh make_block(const Corners& top_mm) {
 int add_diffuse(GltfWriter& writer, const char* name, glm::vec3 color) {
     return writer.add_material(
         name, fmt::format("\"pbrMetallicRoughness\":{{\"baseColorFactor\":[{},{},{},1],"
-                          "\"metallicFactor\":0}},"
-                          "\"extensions\":{{\"KHR_materials_specular\":{{\"specularFactor\":0}}}}",
+                          "\"metallicFactor\":0}}",
                           color.x, color.y, color.z));
 }
 

@@ -20,9 +20,7 @@ constexpr glm::vec3 kGold(1.0f, 0.766f, 0.336f);
 void add_spheres(GltfWriter& writer) {
     TriangleMesh sphere;
     append(sphere, make_sphere(128, 64), glm::scale(glm::mat4(1), glm::vec3(kRadius)));
-    sphere.tangents.clear();
-    sphere.uvs.clear();
-    const int geometry = writer.add_geometry(sphere);
+    int geometry = -1;
     for (std::size_t row = 0; row < kMetallic.size(); ++row)
         for (std::size_t column = 0; column < kRoughness.size(); ++column) {
             const std::string name =
@@ -31,7 +29,9 @@ void add_spheres(GltfWriter& writer) {
                 name, fmt::format("\"pbrMetallicRoughness\":{{\"baseColorFactor\":[{},{},{},1],"
                                   "\"metallicFactor\":{},\"roughnessFactor\":{}}}",
                                   kGold.x, kGold.y, kGold.z, kMetallic[row], kRoughness[column]));
-            const GltfPrimitive primitive{geometry, material};
+            const GltfPrimitive primitive = geometry < 0 ? writer.add_primitive(sphere, material)
+                                                         : GltfPrimitive{geometry, material};
+            geometry = primitive.geometry;
             const float x = float(column) - 0.5f * float(kRoughness.size() - 1);
             const float y = 0.5f + float(kMetallic.size() - 1 - row);
             writer.add_node({.name = name,
@@ -60,15 +60,13 @@ TriangleMesh make_backdrop() {
 void add_lamp(GltfWriter& writer, const char* name, glm::vec3 center, glm::vec3 target,
               glm::vec2 size, const char* color, float strength) {
     TriangleMesh quad = make_quad({-size.x / 2, -size.y / 2, 0}, {size.x, 0, 0}, {0, size.y, 0});
-    quad.tangents.clear();
-    quad.uvs.clear();
     const int material = writer.add_material(
         name, fmt::format("\"pbrMetallicRoughness\":{{\"baseColorFactor\":[0,0,0,1],"
                           "\"metallicFactor\":0}},\"emissiveFactor\":{},"
                           "\"extensions\":{{\"KHR_materials_emissive_strength\":"
                           "{{\"emissiveStrength\":{}}}}}",
                           color, strength));
-    const GltfPrimitive primitive{writer.add_geometry(quad), material};
+    const GltfPrimitive primitive = writer.add_primitive(quad, material);
     // The quad faces +z; look_rotation turns -z towards what it looks at.
     writer.add_node({.name = name,
                      .translation = center,
@@ -82,8 +80,6 @@ Result<void> write_spheres(const std::filesystem::path& folder) {
     GltfWriter writer;
     add_spheres(writer);
     TriangleMesh backdrop = make_backdrop();
-    backdrop.tangents.clear();
-    backdrop.uvs.clear();
     writer.add_object("backdrop", backdrop,
                       writer.add_material("paper",
                                           "\"pbrMetallicRoughness\":{\"baseColorFactor\":"

@@ -1,0 +1,153 @@
+#include "hero_terrain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "noise.h"
+
+namespace hm {
+namespace {
+
+constexpr float kHalfAngle = 0.64f;  // radians either side of -z: wider than the picture
+constexpr float kNear = 45;          // metres from the terrace
+constexpr float kPeaksFrom = 1000;
+constexpr float kFar = 2400;
+constexpr float kNearShare = 0.25f;  // of the rows, spaced by ratio up to kPeaksFrom; then evenly
+
+struct Peak {
+    glm::vec2 xz;
+    float height;
+    float radius;
+    float ridges;  // phase of its aretes, radians
+};
+
+// One dominant pyramid left of the middle, its shoulder, and a lower range on either side.
+constexpr std::array kPeaks = {
+    Peak{{-330, -1980}, 690, 920, 0.4f}, Peak{{-30, -2120}, 500, 640, 1.7f},
+    Peak{{-960, -1900}, 450, 640, 2.6f}, Peak{{420, -2050}, 520, 620, 0.9f},
+    Peak{{860, -1950}, 600, 760, 2.2f},  Peak{{170, -2200}, 430, 520, 3.0f},
+};
+
+float range_height(glm::vec2 xz) {
+    const glm::vec2 warp(fbm(xz / 420.0f, 4, 0, 200), fbm(xz / 420.0f, 4, 0, 210));
+    const glm::vec2 p = xz + 90.0f * warp;
+    float envelope = 0;
+    for (const Peak& peak : kPeaks) {
+        const glm::vec2 d = p - peak.xz;
+        const float angle = std::atan2(d.y, d.x);
+        const float aretes = 1 + 0.20f * std::sin(4 * angle + peak.ridges) +
+                             0.08f * std::sin(9 * angle + 2 * peak.ridges);
+        const float reach = std::max(0.0f, 1 - glm::length(d) / (peak.radius * aretes));
+        envelope = std::max(envelope, peak.height * std::pow(reach, 1.12f));
+    }
+    const float crests = ridged(p / 330.0f, 8, 220);
+    const float flutes = ridged(xz / 70.0f, 5, 240);
+    return envelope * (0.70f + 0.42f * crests) + (60 + 0.10f * envelope) * (crests - 0.4f) +
+           0.055f * envelope * (flutes - 0.4f);
+}
+
+// Forested spurs that frame the valley.
+float spur_height(float azimuth, float distance, glm::vec2 xz) {
+    const auto spur = [&](float at_azimuth, float width, float at_distance, float depth,
+                          float top) {
+        const float a = (azimuth - at_azimuth) / width, d = (distance - at_distance) / depth;
+        return top * std::exp(-a * a - d * d);
+    };
+    const float height = spur(-0.62f, 0.26f, 420, 230, 215) + spur(0.50f, 0.22f, 560, 260, 205) +
+                         spur(0.05f, 0.16f, 860, 200, 105);
+    return height * (0.85f + 0.35f * ridged(xz / 160.0f, 6, 260));
+}
+
+glm::vec2 position_at(float s, float t) {
+    const float azimuth = kHalfAngle * (2 * s - 1);
+    const float near_t = t / kNearShare, far_t = (t - kNearShare) / (1 - kNearShare);
+    const float r = t < kNearShare ? kNear * std::pow(kPeaksFrom / kNear, near_t)
+                                   : kPeaksFrom + (kFar - kPeaksFrom) * far_t;
+    return {r * std::sin(azimuth), -r * std::cos(azimuth)};
+}
+
+glm::vec3 normal_at(glm::vec2 xz, float step) {
+    const float dx =
+        terrain_height(xz + glm::vec2(step, 0)) - terrain_height(xz - glm::vec2(step, 0));
+    const float dz =
+        terrain_height(xz + glm::vec2(0, step)) - terrain_height(xz - glm::vec2(0, step));
+    return glm::normalize(glm::vec3(-dx, 2 * step, -dz));
+}
+
+// Snow lies where it is high enough and not too steep; below are scree, forest and meadow.
+glm::vec3 ground_color(glm::vec2 xz) {
+    const float distance = glm::length(xz), h = terrain_height(xz);
+    const glm::vec3 n = normal_at(xz, distance < kPeaksFrom ? 3.0f : 4.0f);
+    const float mottle = fbm(xz / 40.0f, 5, 0, 280);
+    const float strata = fbm({(xz.x + xz.y) / 300.0f, h / 14.0f}, 4, 0, 285);
+    glm::vec3 rock = glm::mix(glm::vec3(0.115f, 0.10f, 0.095f), glm::vec3(0.25f, 0.205f, 0.175f),
+                              smooth_step(-0.4f, 0.4f, strata + 0.5f * mottle));
+    glm::vec3 low = glm::mix(glm::vec3(0.030f, 0.045f, 0.020f), glm::vec3(0.14f, 0.115f, 0.05f),
+                             smooth_step(-0.1f, 0.35f, mottle + 0.3f * n.y - 0.1f));
+    const float steep = smooth_step(0.80f, 0.62f, n.y + 0.12f * mottle);
+    low = glm::mix(low, rock, steep);
+    const float above_trees = smooth_step(20, 95, h + 40 * mottle);
+    glm::vec3 color = glm::mix(low, rock, above_trees);
+    const float cover = smooth_step(70, 175, h + 70 * mottle);
+    const float holds = smooth_step(0.40f, 0.56f, n.y + 0.16f * fbm(xz / 25.0f, 5, 0, 290));
+    color = glm::mix(color, glm::vec3(0.87f, 0.88f, 0.91f), cover * holds);
+    // The air between: far ground is paler and bluer.
+    const float air = 1 - std::exp(-distance / 9000);
+    return glm::mix(color, glm::vec3(0.55f, 0.60f, 0.70f), air);
+}
+
+}  // namespace
+
+float terrain_height(glm::vec2 xz) {
+    const float distance = glm::length(xz), azimuth = std::atan2(xz.x, -xz.y);
+    const float valley = -175 + 22 * fbm(xz / 150.0f, 6, 0, 300);
+    const float slope = glm::mix(-14.0f, valley, smooth_step(30, 330, distance));
+    return slope + spur_height(azimuth, distance, xz) +
+           range_height(xz) * smooth_step(700, 1250, distance);
+}
+
+TriangleMesh make_terrain() {
+    constexpr int kColumns = 380, kRows = 168;
+    TriangleMesh mesh = make_surface(kColumns, kRows, [](float s, float t) {
+        const glm::vec2 xz = position_at(s, t);
+        return SurfacePoint{{xz.x, terrain_height(xz), xz.y}, {s, 1 - t}};
+    });
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec2 xz(mesh.positions[i].x, mesh.positions[i].z);
+        mesh.normals[i] = normal_at(xz, glm::length(xz) < kPeaksFrom ? 4.0f : 5.0f);
+    }
+    return mesh;
+}
+
+Picture paint_terrain() {
+    Picture picture{1024, 640, 3, {}};
+    for (std::uint32_t y = 0; y < picture.height; ++y)
+        for (std::uint32_t x = 0; x < picture.width; ++x) {
+            const float s = (float(x) + 0.5f) / float(picture.width);
+            const float t = 1 - (float(y) + 0.5f) / float(picture.height);
+            const glm::vec3 c = glm::clamp(ground_color(position_at(s, t)), 0.0f, 1.0f);
+            for (int i = 0; i < 3; ++i) {
+                const float encoded =
+                    1.055f * std::pow(std::max(c[i], 0.0031308f), 1 / 2.4f) - 0.055f;
+                picture.pixels.push_back(std::uint8_t(encoded * 255 + 0.5f));
+            }
+        }
+    return picture;
+}
+
+std::vector<glm::vec4> place_trees(int count) {
+    std::vector<glm::vec4> trees;
+    for (std::uint32_t i = 0; int(trees.size()) < count && i < 40000; ++i) {
+        const float azimuth = kHalfAngle * 0.95f * (2 * hash_unit(i, 0, 310) - 1);
+        const float distance = 60 + 640 * std::pow(hash_unit(i, 1, 310), 0.8f);
+        const glm::vec2 xz(distance * std::sin(azimuth), -distance * std::cos(azimuth));
+        const float h = terrain_height(xz);
+        const float grove = fbm(xz / 60.0f, 3, 0, 311);
+        if (h < -120 || h > 60 || grove < -0.02f || normal_at(xz, 4).y < 0.6f) continue;
+        trees.push_back({xz.x, h - 0.4f, xz.y, 0.7f + 0.7f * hash_unit(i, 2, 310)});
+    }
+    return trees;
+}
+
+}  // namespace hm
