@@ -1,0 +1,102 @@
+// GLB: chunk layout, and files cut short anywhere.
+#include "gltf/test_files.h"
+
+namespace hm::gltf_test {
+namespace {
+
+std::string chunk_document() {
+    return document({{"buffers", R"([{"byteLength":164}])"}});
+}
+
+std::string word(std::uint32_t value) {
+    return bytes_of(std::vector<std::uint32_t>{value});
+}
+
+std::string with_word(std::string file, std::size_t at, std::uint32_t value) {
+    return file.replace(at, 4, word(value));
+}
+
+// The header's length set to the size, and `tail` appended before.
+std::string extended(std::string file, const std::string& tail) {
+    file += tail;
+    return with_word(file, 8, static_cast<std::uint32_t>(file.size()));
+}
+
+TEST(Container, ReadsGlbWhateverItsName) {
+    const Loaded loaded = load_text(glb(chunk_document(), triangle_bytes()));
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    EXPECT_EQ(loaded.scene->meshes[0].primitives[0].vertices[2].position, vec3(0, 2, 0));
+    EXPECT_TRUE(loaded.diagnostics.warnings().empty());
+    EXPECT_TRUE(load_text(glb(document(), "")).scene);
+}
+
+TEST(Container, ToleratesWithAWarning) {
+    const std::string file = glb(chunk_document(), triangle_bytes());
+    const std::string place = "byte " + std::to_string(file.size());
+    const Loaded trailing = load_text(file + "junk");
+    ASSERT_TRUE(trailing.scene);
+    EXPECT_EQ(trailing.warned(place, "after the GLB's end"), 1u);
+
+    const Loaded unknown = load_text(extended(file, word(4) + "ABCD" + "1234"));
+    ASSERT_TRUE(unknown.scene);
+    EXPECT_EQ(unknown.warned(place, "unknown use"), 1u);
+
+    // The BIN chunk is the second or none at all.
+    const Loaded second = load_text(extended(file, word(4) + std::string("BIN\0", 4) + "1234"));
+    ASSERT_TRUE(second.scene);
+    EXPECT_EQ(second.warned(place, "unknown use"), 1u);
+}
+
+TEST(Container, RefusesBrokenLayouts) {
+    const std::string good = glb(chunk_document(), triangle_bytes());
+    const auto size = static_cast<std::uint32_t>(good.size());
+    const std::string end = "byte " + std::to_string(size);
+    const struct {
+        const char* what;
+        std::string file;
+        const char* place;
+        const char* message;
+        ExitCode code = ExitCode::invalid;
+    } cases[] = {
+        {"version 1", with_word(good, 4, 1), "byte 4", "only 2", ExitCode::unsupported},
+        {"longer than the file", with_word(good, 8, size + 4), "byte 8", "the file has"},
+        {"shorter than its header", with_word(good, 8, 8), "byte 8", "8 bytes in all"},
+        {"chunk past the end", with_word(good, 12, size), "byte 12", "passes the end"},
+        {"huge chunk", with_word(good, 12, 0xffffffffu), "byte 12", "passes the end"},
+        {"odd chunk", with_word(good, 12, 5), "byte 12", "not a multiple of 4"},
+        {"BIN first", with_word(good, 16, 0x004e4942), "byte 12", "not JSON"},
+        {"no chunk", extended(good.substr(0, 12), ""), "byte 12", "no JSON"},
+        {"empty JSON", extended(good.substr(0, 12), word(0) + "JSON"), "byte 20", "no JSON"},
+        {"half a chunk header", extended(good, word(0)), end.c_str(), "header is cut short"},
+        {"magic only", "glTF", "byte 4", "header is cut short"},
+        {"BIN too short", glb(chunk_document(), triangle_bytes().substr(0, 160)),
+         "/buffers/0/byteLength", "there are only 160"},
+        {"BIN missing", glb(chunk_document(), ""), "/buffers/0", "neither a uri nor a GLB chunk"},
+    };
+    for (const auto& c : cases) {
+        const Loaded loaded = load_text(c.file);
+        ASSERT_FALSE(loaded.scene) << c.what;
+        const Error& error = loaded.scene.error();
+        EXPECT_EQ(error.code, c.code) << c.what << ": " << error.line();
+        EXPECT_EQ(error.place, c.place) << c.what << ": " << error.line();
+        EXPECT_NE(error.message.find(c.message), std::string::npos)
+            << c.what << ": " << error.line();
+    }
+}
+
+TEST(Container, CutAnywhereIsAnError) {
+    const std::string good = glb(chunk_document(), triangle_bytes());
+    const Folder folder;
+    for (std::size_t size = 0; size < good.size(); ++size) {
+        Diagnostics diagnostics;
+        const std::string cut = good.substr(0, size);
+        EXPECT_FALSE(load_gltf(folder.write("cut.glb", cut), diagnostics)) << size;
+        // Also when the header agrees with the shorter size.
+        if (size < 12) continue;
+        const auto path = folder.write("cut.glb", with_word(cut, 8, std::uint32_t(size)));
+        EXPECT_FALSE(load_gltf(path, diagnostics)) << size;
+    }
+}
+
+}  // namespace
+}  // namespace hm::gltf_test

@@ -1,0 +1,148 @@
+// The whole document: what is read from a good file, and refusals that concern all of it.
+#include <fmt/format.h>
+
+#include "gltf/test_files.h"
+
+namespace hm::gltf_test {
+namespace {
+
+TEST(Load, ReadsATriangle) {
+    const Loaded loaded = load_text(document());
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    const Scene& scene = *loaded.scene;
+    EXPECT_TRUE(loaded.diagnostics.warnings().empty());
+    ASSERT_EQ(scene.nodes.size(), 1u);
+    EXPECT_EQ(scene.nodes[0].mesh, 0);
+    ASSERT_EQ(scene.meshes.size(), 1u);
+    EXPECT_EQ(scene.meshes[0].name, "triangle");
+    ASSERT_EQ(scene.meshes[0].primitives.size(), 1u);
+    const Primitive& primitive = scene.meshes[0].primitives[0];
+    EXPECT_EQ(primitive.material, kUnset);
+    EXPECT_TRUE(primitive.has_normals);
+    EXPECT_FALSE(primitive.has_tangents);
+    EXPECT_TRUE(primitive.extras.empty());
+    ASSERT_EQ(primitive.triangles.size(), 1u);
+    EXPECT_EQ(primitive.triangles[0], uvec3(0, 1, 2));
+    ASSERT_EQ(primitive.vertices.size(), 3u);
+    EXPECT_EQ(primitive.vertices[2].position, vec3(0, 2, 0));
+    EXPECT_EQ(primitive.vertices[1].uv0, vec2(1, 0));
+}
+
+TEST(Load, MissingFileIsUnreadable) {
+    Diagnostics diagnostics;
+    const auto scene = load_gltf("no-such-folder/no-such-file.glb", diagnostics);
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().code, ExitCode::unreadable);
+}
+
+TEST(Load, TextThatIsNoDocument) {
+    const struct {
+        const char* what;
+        std::string text;
+        const char* message;
+    } cases[] = {
+        {"empty", "", "is empty"},
+        {"white space only", "  \n", "is empty"},
+        {"not JSON", "hello", "is not valid JSON"},
+        {"array", "[]", "is no object"},
+        {"cut", R"({"asset":{"version":"2.0")", "is not valid JSON"},
+        {"trailing comma", R"({"asset":{"version":"2.0"},})", "is not valid JSON"},
+        {"two documents", document() + document(), "is not valid JSON"},
+        {"byte order mark", "\xEF\xBB\xBF" + document(), "byte order mark"},
+        {"UTF-16", std::string("\xFF\xFE{\0}\0", 6), "UTF-16"},
+        {"bad UTF-8", document({{"extras", "\"\xC3\x28\""}}), "is not valid UTF-8"},
+        {"deep array", std::string(100000, '['), "is not valid JSON"},
+        {"deep object",
+         [] {
+             std::string text;
+             for (int i = 0; i < 100000; ++i)
+                 text += "{\"a\":";
+             return text;
+         }(),
+         "is not valid JSON"},
+        {"closed deep array",
+         document({{"extras", std::string(100000, '[') + std::string(100000, ']')}}),
+         "levels deep"},
+    };
+    for (const auto& c : cases) {
+        const Loaded loaded = load_text(c.text);
+        ASSERT_FALSE(loaded.scene) << c.what;
+        EXPECT_EQ(loaded.scene.error().code, ExitCode::invalid) << c.what;
+        EXPECT_NE(loaded.scene.error().message.find(c.message), std::string::npos)
+            << c.what << ": " << loaded.scene.error().line();
+    }
+}
+
+TEST(Load, ModerateNestingInExtrasIsFine) {
+    const std::string extras = std::string(200, '[') + std::string(200, ']');
+    EXPECT_TRUE(load_text(document({{"extras", extras}})).scene);
+}
+
+TEST(Load, VersionsAndExtensions) {
+    expect_refused({
+        {"no asset", {{"asset", ""}}, "/asset", "is required"},
+        {"no version", {{"asset", "{}"}}, "/asset/version", "is required"},
+        {"version is a number", {{"asset", R"({"version":2.0})"}}, "/asset/version", "a string"},
+        {"no version at all", {{"asset", R"({"version":"two"})"}}, "/asset/version", "no version"},
+        {"half a version", {{"asset", R"({"version":"2."})"}}, "/asset/version", "no version"},
+        {"glTF 1",
+         {{"asset", R"({"version":"1.0"})"}},
+         "/asset/version",
+         "only 2.x",
+         ExitCode::unsupported},
+        {"too new",
+         {{"asset", R"({"version":"2.1","minVersion":"2.1"})"}},
+         "/asset/minVersion",
+         "needs glTF 2.1",
+         ExitCode::unsupported},
+        {"required extensions",
+         {{"extensionsRequired", R"(["KHR_a","KHR_materials_unlit","EXT_b"])"}},
+         "/extensionsRequired",
+         "required but not supported: KHR_a, EXT_b",
+         ExitCode::unsupported},
+        {"extension names are strings",
+         {{"extensionsRequired", "[1]"}},
+         "/extensionsRequired/0",
+         "expected a string, found a number"},
+        {"extensions are a list",
+         {{"extensionsUsed", "{}"}},
+         "/extensionsUsed",
+         "expected an array, found an object"},
+    });
+    EXPECT_TRUE(load_text(document({{"asset", R"({"version":"2.7","minVersion":"2.0"})"}})).scene);
+    EXPECT_TRUE(load_text(document({{"extensionsRequired",
+                                     R"(["KHR_lights_punctual","KHR_materials_emissive_strength",
+                                         "KHR_materials_unlit","KHR_texture_transform"])"}}))
+                    .scene);
+}
+
+TEST(Load, WarnsOfWhatIsNotEvaluated) {
+    const Loaded loaded = load_text(document({
+        {"extensionsUsed", R"(["KHR_a","KHR_materials_unlit","KHR_materials_variants"])"},
+        {"extensions", R"({"KHR_materials_variants":{"variants":[{"name":"a"},{"name":"b"}]}})"},
+        {"animations", "[{},{},{}]"},
+        {"nodes", R"([{"mesh":0,"skin":0}])"},
+        {"meshes", R"([{"primitives":[{"attributes":{"POSITION":0},"targets":[{}]}]}])"},
+    }));
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    EXPECT_EQ(loaded.warned("/extensionsUsed/0", "KHR_a"), 1u);
+    EXPECT_EQ(loaded.warned("/extensions/KHR_materials_variants", "variants: 2"), 1u);
+    EXPECT_EQ(loaded.warned("/animations", "animations: 3"), 1u);
+    EXPECT_EQ(loaded.warned("/nodes", "skinned nodes: 1"), 1u);
+    EXPECT_EQ(loaded.warned("/meshes", "morph targets: 1"), 1u);
+    EXPECT_EQ(loaded.diagnostics.warnings().size(), 5u);
+}
+
+TEST(Load, TablesMustBeArraysOfObjects) {
+    for (const char* table : {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes",
+                              "materials", "textures", "images", "samplers", "cameras"}) {
+        const std::string place = fmt::format("/{}", table);
+        expect_refused({
+            {table, {{table, "7"}}, place.c_str(), "expected an array, found a number"},
+            {table, {{table, "[null]"}}, (place + "/0").c_str(), "expected an object, found null"},
+        });
+    }
+}
+
+}  // namespace
+}  // namespace hm::gltf_test

@@ -1,0 +1,81 @@
+// Tiny glTF files made by tests: a valid document whose top-level properties tests replace.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gltf/load.h"
+
+namespace hm::gltf_test {
+
+// Replaces or adds top-level properties of the base document; an empty value removes one.
+using Overrides = std::map<std::string, std::string>;
+
+// A triangle with everything a primitive can have, in one buffer given as a data URI:
+//   accessor/view  0 POSITION  1 NORMAL  2 TEXCOORD_0  3 indices  4 COLOR_0 (u8)  5 TANGENT
+// The node shows mesh 0 with POSITION, NORMAL, TEXCOORD_0 and indices.
+std::string document(const Overrides& overrides = {});
+// The bytes of that buffer.
+std::string triangle_bytes();
+inline constexpr std::size_t kTriangleBytes = 164;
+
+// A buffers property holding these bytes as a data URI.
+std::string buffers(std::string_view bytes);
+
+std::string base64(std::string_view bytes);
+std::string glb(std::string json, std::string binary);
+
+// PNG of 1x1, rgba 10 20 30 40, and of 2x1.
+inline constexpr std::string_view kPng1 =
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR4nGPgEpHTAAAAzQBlapmEQgAAAABJRU5ErkJggg"
+    "==";
+inline constexpr std::string_view kPng2 =
+    "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAAEUlEQVR4nGNgZGJmYWVj5wAAAIEAJZh10J8AAAAASUVORK"
+    "5CYII=";
+
+// The bytes of little-endian values, one after the other.
+template <class T>
+std::string bytes_of(const std::vector<T>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+// A folder of its own per test, removed at its end.
+class Folder {
+  public:
+    Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder();
+    std::filesystem::path write(const std::string& name, std::string_view content) const;
+
+  private:
+    std::filesystem::path path_;
+};
+
+struct Loaded {
+    Result<Scene> scene;
+    Diagnostics diagnostics;
+
+    // How many warnings have this place and this text somewhere in the message.
+    std::size_t warned(std::string_view place, std::string_view text) const;
+};
+
+Loaded load_text(std::string_view content);
+
+// A file that must be refused, and how.
+struct Refused {
+    const char* what;
+    Overrides overrides;
+    const char* place;
+    const char* message;  // a part of it
+    ExitCode code = ExitCode::invalid;
+};
+void expect_refused(const std::vector<Refused>& cases);
+
+}  // namespace hm::gltf_test

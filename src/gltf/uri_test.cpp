@@ -1,0 +1,86 @@
+#include "gltf/uri.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "gltf/test_files.h"
+
+namespace hm::gltf_test {
+namespace {
+
+using namespace gltf;
+
+std::string decoded(std::string_view uri) {
+    const auto bytes = decode_data_uri(uri);
+    if (!bytes) return "error: " + bytes.error();
+    return {reinterpret_cast<const char*>(bytes->data()), bytes->size()};
+}
+
+TEST(DataUri, DecodesEveryLengthAndByte) {
+    std::string bytes;
+    for (int i = 0; i < 300; ++i) {
+        EXPECT_EQ(decoded("data:;base64," + base64(bytes)), bytes) << i;
+        bytes += static_cast<char>(i * 7);
+    }
+    EXPECT_EQ(decoded("DATA:image/png;BASE64,TWFu"), "Man");
+    EXPECT_EQ(decoded("data:;base64,TWE="), "Ma");
+    EXPECT_EQ(decoded("data:;base64,TQ=="), "M");
+}
+
+TEST(DataUri, IsStrict) {
+    for (const char* uri :
+         {"data:;base64", "data:,hello", "data:text/plain,hello", "data:;base64,TWF",
+          "data:;base64,TWF ", "data:;base64,TW=u",
+          "data:;base64,TQ=", "data:;base64,T===", "data:;base64,====", "data:;base64,TR==",
+          "data:;base64,TWF=", "data:;base64,TW\nE=", "data:;base64,TW-_"})
+        EXPECT_FALSE(decode_data_uri(uri)) << uri;
+}
+
+TEST(Path, DecodesPercent) {
+    EXPECT_EQ(decode_path("a%20b/c%2Bd.png")->string(), "a b/c+d.png");
+    EXPECT_EQ(decode_path("%C3%A9.bin")->string(), "\xC3\xA9.bin");
+    EXPECT_EQ(decode_path("./a.bin")->string(), "./a.bin");
+    EXPECT_EQ(decode_path("a..b.bin")->string(), "a..b.bin");
+    EXPECT_EQ(decode_path("dir/a:b.bin")->string(), "dir/a:b.bin");
+}
+
+TEST(Path, RefusesWhatLeavesTheFolder) {
+    for (const char* uri :
+         {"", "../a.bin", "a/../../b.bin", "a/..", "%2e%2e/a.bin", "/etc/a.bin", "%2Fetc/a.bin",
+          "//host/a.bin", "file:a.bin", "file:///a.bin", "http://host/a.bin", "HTTPS://host/a",
+          "C:/a.bin", "a%00b.bin", "a%2.bin", "a%", "a%zz"})
+        EXPECT_FALSE(decode_path(uri)) << uri;
+}
+
+TEST(Uri, ExternalFiles) {
+    const Folder folder;
+    folder.write("sub dir/tri.bin", triangle_bytes());
+    const auto load = [&](const std::string& uri, std::size_t length) {
+        const std::string text = document({{"buffers", "[{\"uri\":\"" + uri + "\",\"byteLength\":" +
+                                                           std::to_string(length) + "}]"}});
+        Diagnostics diagnostics;
+        return load_gltf(folder.write("scene.gltf", text), diagnostics);
+    };
+    EXPECT_TRUE(load("sub%20dir/tri.bin", 164));
+    EXPECT_TRUE(load("sub dir/tri.bin", 164));
+
+    const auto shorter = load("sub%20dir/tri.bin", 165);
+    ASSERT_FALSE(shorter);
+    EXPECT_EQ(shorter.error().code, ExitCode::invalid);
+    EXPECT_EQ(shorter.error().place, "/buffers/0/byteLength");
+
+    for (const char* missing : {"none.bin", "sub%20dir"}) {
+        const auto scene = load(missing, 164);
+        ASSERT_FALSE(scene);
+        EXPECT_EQ(scene.error().code, ExitCode::unreadable);
+        EXPECT_EQ(scene.error().place, "/buffers/0/uri");
+    }
+    const auto escaping = load("../tri.bin", 164);
+    ASSERT_FALSE(escaping);
+    EXPECT_EQ(escaping.error().code, ExitCode::invalid);
+    EXPECT_EQ(escaping.error().place, "/buffers/0/uri");
+}
+
+}  // namespace
+}  // namespace hm::gltf_test
