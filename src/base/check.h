@@ -11,8 +11,8 @@ namespace hm {
 }
 
 // HM_CHECK(i < n, "i = {}, n = {}", i, n)
-#define HM_CHECK(condition, ...)                                                             \
-    do {                                                                                     \
-        if (!(condition)) [[unlikely]]                                                       \
-            ::hm::check_failed(__FILE__, __LINE__, #condition, ::fmt::format(__VA_ARGS__));  \
+#define HM_CHECK(condition, ...)                                                            \
+    do {                                                                                    \
+        if (!(condition)) [[unlikely]]                                                      \
+            ::hm::check_failed(__FILE__, __LINE__, #condition, ::fmt::format(__VA_ARGS__)); \
     } while (false)

@@ -16,8 +16,9 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 
 // Calls `write` with a temporary path in the same folder and renames the result to `path`; on any
 // failure the temporary file is removed and `path` is as it was. Fails with ExitCode::unwritable.
-Result<void> write_atomically(const std::filesystem::path& path,
-                              const std::function<Result<void>(const std::filesystem::path&)>& write);
+Result<void> write_atomically(
+    const std::filesystem::path& path,
+    const std::function<Result<void>(const std::filesystem::path&)>& write);
 
 Result<void> write_file_atomically(const std::filesystem::path& path,
                                    std::span<const std::byte> bytes);

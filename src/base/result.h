@@ -41,16 +41,16 @@ inline tl::unexpected<Error> fail(ExitCode code, std::string file, std::string p
 }  // namespace hm
 
 // Propagates a failed Result<void>-like expression; HM_TRY_ASSIGN also binds the value.
-#define HM_TRY(expression)                                               \
-    do {                                                                 \
-        auto hm_result_ = (expression);                                  \
+#define HM_TRY(expression)                                                     \
+    do {                                                                       \
+        auto hm_result_ = (expression);                                        \
         if (!hm_result_) return tl::unexpected(std::move(hm_result_.error())); \
     } while (false)
 #define HM_CONCAT_INNER(a, b) a##b
 #define HM_CONCAT(a, b) HM_CONCAT_INNER(a, b)
 #define HM_TRY_ASSIGN(declaration, expression) \
     HM_TRY_ASSIGN_NAMED(HM_CONCAT(hm_result_, __LINE__), declaration, expression)
-#define HM_TRY_ASSIGN_NAMED(name, declaration, expression)      \
-    auto name = (expression);                                   \
-    if (!name) return tl::unexpected(std::move(name.error()));  \
+#define HM_TRY_ASSIGN_NAMED(name, declaration, expression)     \
+    auto name = (expression);                                  \
+    if (!name) return tl::unexpected(std::move(name.error())); \
     declaration = std::move(*name)

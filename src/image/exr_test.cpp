@@ -1,7 +1,4 @@
 // OpenEXR: files made with its own library in the forms people use come back as linear floats.
-#include <gtest/gtest.h>
-#include <half.h>
-
 #include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfChromaticitiesAttribute.h>
@@ -12,6 +9,8 @@
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <ImfTiledOutputFile.h>
+#include <gtest/gtest.h>
+#include <half.h>
 
 #include <algorithm>
 #include <array>

@@ -26,6 +26,7 @@ const char* const kHeader2x1 = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\
 const char* const kHeader8x1 = "#?RGBE\n# made by hand\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n";
 
 void expect_rgb(const Image& image, std::size_t i, float r, float g, float b) {
+    ASSERT_LT(i * 16, image.pixels.size());
     EXPECT_EQ(component<float>(image, i, 0), r) << "pixel " << i;
     EXPECT_EQ(component<float>(image, i, 1), g) << "pixel " << i;
     EXPECT_EQ(component<float>(image, i, 2), b) << "pixel " << i;

@@ -1,0 +1,39 @@
+// What the three writers have in common; each format's own test reads back what it wrote.
+#include "image/write.h"
+
+#include <gtest/gtest.h>
+
+#include "image/test_images.h"
+
+namespace hm {
+namespace {
+
+using namespace testing_images;
+
+TEST(WriteImage, RefusalNamesTheFile) {
+    const Folder folder;
+    const Image display = make_image(2, 2, PixelFormat::rgba8);
+    const Image light = make_image(2, 2, PixelFormat::rgba32f);
+    for (const auto& path : {folder / "missing/a", folder / ""}) {
+        for (const Result<void>& written :
+             {write_png(path, display, false, {}), write_exr(path, light, false, {}),
+              write_hdr(path, light)}) {
+            ASSERT_FALSE(written);
+            EXPECT_EQ(written.error().code, ExitCode::unwritable);
+            EXPECT_EQ(written.error().file, path.string());
+        }
+    }
+}
+
+TEST(WriteImageDeathTest, WrongFormatIsABug) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const Folder folder;
+    const Image display = make_image(2, 2, PixelFormat::rgba8);
+    EXPECT_DEATH((void)write_exr(folder / "a", display, false, {}), "check failed");
+    Image torn = display;
+    torn.pixels.pop_back();
+    EXPECT_DEATH((void)write_png(folder / "a", torn, false, {}), "check failed");
+}
+
+}  // namespace
+}  // namespace hm
