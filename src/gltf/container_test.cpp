@@ -1,4 +1,6 @@
 // GLB: chunk layout, and files cut short anywhere.
+#include <random>
+
 #include "gltf/test_files.h"
 
 namespace hm::gltf_test {
@@ -96,6 +98,27 @@ TEST(Container, CutAnywhereIsAnError) {
         const auto path = folder.write("cut.glb", with_word(cut, 8, std::uint32_t(size)));
         EXPECT_FALSE(load_gltf(path, diagnostics)) << size;
     }
+}
+
+// Whatever changes in a file, it loads or is refused; sanitizers see the rest.
+TEST(Container, ChangedBytesNeverCrash) {
+    const std::string good = glb(chunk_document(), triangle_bytes());
+    const std::string likely = "0123456789-.eE[]{},:\" ";
+    const Folder folder;
+    std::mt19937 random(7);
+    std::size_t refused = 0;
+    for (int run = 0; run < 1000; ++run) {
+        std::string changed = good;
+        for (unsigned n = 1 + random() % 4; n > 0; --n) {
+            const std::size_t at = random() % changed.size();
+            const bool in_json = at >= 20 && at < changed.size() - kTriangleBytes - 8;
+            changed[at] = in_json ? likely[random() % likely.size()] : static_cast<char>(random());
+        }
+        Diagnostics diagnostics;
+        if (!load_gltf(folder.write("changed.glb", changed), diagnostics)) ++refused;
+    }
+    EXPECT_GT(refused, 100u);
+    EXPECT_LT(refused, 1000u);
 }
 
 }  // namespace

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <array>
 #include <atomic>
-#include <cstring>
 
+#include "gltf/materials.h"
 #include "image/read.h"
 
 namespace hm::gltf {
@@ -14,11 +13,6 @@ namespace {
 
 // Decoded pixels of all images together. A few kilobytes of PNG can ask for a gigabyte.
 constexpr std::uint64_t kMaxImageBytes = 1ull << 35;
-
-std::array<TextureSlot*, 5> slots(Material& material) {
-    return {&material.base_color_texture, &material.metallic_roughness_texture,
-            &material.normal_texture, &material.occlusion_texture, &material.emissive_texture};
-}
 
 // The bytes of an image, in `storage` unless they lie in a buffer.
 Result<std::span<const std::byte>> image_bytes(const Json& item, const Source& source,
@@ -56,11 +50,11 @@ Result<Image> read_one(const Json& item, const Source& source) {
 }
 
 // Which of the file's images are read, as their places in the scene's list or kUnset.
-std::vector<int> choose(std::vector<Material>& materials, const std::vector<bool>& used,
+std::vector<int> choose(const std::vector<Material>& materials, const std::vector<bool>& used,
                         std::size_t image_count, std::vector<std::size_t>& chosen) {
     std::vector<bool> needed(image_count, false);
     for (std::size_t m = 0; m < materials.size(); ++m)
-        for (const TextureSlot* slot : slots(materials[m]))
+        for (const TextureSlot* slot : texture_slots(materials[m]))
             if (used[m] && slot->image != kUnset) needed[std::size_t(slot->image)] = true;
     std::vector<int> new_index(image_count, kUnset);
     for (std::size_t i = 0; i < image_count; ++i) {
@@ -80,7 +74,7 @@ Result<std::vector<Image>> read_images(const Json& root, Source& source,
     std::vector<std::size_t> chosen;
     const std::vector<int> new_index = choose(materials, used, items.size(), chosen);
     for (std::size_t m = 0; m < materials.size(); ++m)
-        for (TextureSlot* slot : slots(materials[m]))
+        for (TextureSlot* slot : texture_slots(materials[m]))
             if (slot->image != kUnset)
                 slot->image = used[m] ? new_index[std::size_t(slot->image)] : kUnset;
 

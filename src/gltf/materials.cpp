@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 
 #include "gltf/textures.h"
@@ -117,6 +115,16 @@ Result<Material> read_material(Source& source, const Json& json,
 }
 
 }  // namespace
+
+std::array<const TextureSlot*, 5> texture_slots(const Material& m) {
+    return {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+            &m.occlusion_texture, &m.emissive_texture};
+}
+
+std::array<TextureSlot*, 5> texture_slots(Material& m) {
+    return {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+            &m.occlusion_texture, &m.emissive_texture};
+}
 
 Result<std::vector<Material>> read_materials(const Json& root, Source& source) {
     HM_TRY_ASSIGN(const std::vector<Texture> textures, read_textures(root));

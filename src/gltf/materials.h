@@ -2,6 +2,7 @@
 // KHR_materials_unlit, and the textures and samplers they use (3.8).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "gltf/json.h"
@@ -12,5 +13,9 @@ namespace hm::gltf {
 
 // The slots' `image` are indices of the file's images; images are not read yet.
 Result<std::vector<Material>> read_materials(const Json& root, Source& source);
+
+// Every slot of a material.
+std::array<const TextureSlot*, 5> texture_slots(const Material& material);
+std::array<TextureSlot*, 5> texture_slots(Material& material);
 
 }  // namespace hm::gltf

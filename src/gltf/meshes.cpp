@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 #include "gltf/accessor.h"
 #include "gltf/attributes.h"
+#include "gltf/materials.h"
 #include "gltf/triangles.h"
 
 namespace hm::gltf {
@@ -75,10 +75,7 @@ Result<std::optional<Topology>> read_topology(const Json& json, Source& source) 
 // A textured material reads zeros where the primitive lacks the coordinates.
 void check_texture_coordinates(const Json& json, Source& source, const Material& material,
                                const Attributes& attributes) {
-    const std::array<const TextureSlot*, 5> slots{
-        &material.base_color_texture, &material.metallic_roughness_texture,
-        &material.normal_texture, &material.occlusion_texture, &material.emissive_texture};
-    for (const TextureSlot* slot : slots) {
+    for (const TextureSlot* slot : texture_slots(material)) {
         if (slot->image == kUnset) continue;
         const bool present = (slot->uv_set == 0 ? attributes.uv0 : attributes.uv1).has_value();
         if (present) continue;
