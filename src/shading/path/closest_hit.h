@@ -69,6 +69,7 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, float hit_dis
     begin_sample(p.pixel_x, p.pixel_y, p.index, numbers);
     uint dimension = kDimensionBounce + 8u * p.bounce;
     uvec4 scatter_numbers = sample_4d(numbers, dimension);
+    p.roulette = scatter_numbers.w;
     uvec4 light_numbers = sample_4d(numbers, dimension + 4u);
     shade_light_sample(p, b, frame, s.ng, wo, light_numbers);
     shade_scatter(p, b, frame, s.ng, wo, scatter_numbers);

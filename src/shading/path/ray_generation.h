@@ -8,13 +8,14 @@ HM_HOOK(void trace_path(HM_INOUT(PathPayload) payload, vec3 origin, vec3 directi
 HM_HOOK(bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key))
 
 HM_CONST uint kFilterSize = 257u;
-HM_CONST uint kRoulettesFrom = 2u;
+HM_CONST uint kRouletteFrom = 2u;
 
 HM_CONST uint kRayRadiance = 0u;
 HM_CONST uint kRayShadow = 1u;
 
-HM_FN uint ray_key(HM_IN(SamplerState) numbers, uint bounce, uint ray_kind) {
-    return hash_combine(hash_combine(numbers.key, numbers.index), bounce * 2u + ray_kind);
+// Of one ray of a sample; any_hit_accepts hashes it together with what the ray met.
+HM_FN uint ray_key(uint sample_key, uint bounce, uint ray_kind) {
+    return sample_key + (2u * bounce + ray_kind) * 0x9e3779b9u;
 }
 
 HM_FN float sample_filter(float u) {
@@ -51,11 +52,10 @@ HM_FN float emission_weight(uint bounce, float pdf_bsdf, float pdf_light) {
 }
 
 // From bounce 2 on a path survives with the probability of its brightest channel.
-HM_FN bool survive_roulette(HM_IN(SamplerState) numbers, uint bounce, HM_INOUT(vec3) throughput) {
-    if (bounce < kRoulettesFrom) return true;
-    uvec4 x = sample_4d(numbers, kDimensionBounce + 8u * bounce);
+HM_FN bool survive_roulette(uint number, uint bounce, HM_INOUT(vec3) throughput) {
+    if (bounce < kRouletteFrom) return true;
     float survival = clamp(max_component(throughput), 0.05f, 0.95f);
-    if (unit_float(x.w) >= survival) return false;
+    if (unit_float(number) >= survival) return false;
     throughput = throughput / survival;
     return true;
 }
@@ -69,6 +69,7 @@ HM_FN void trace_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathSampl
     begin_sample(pixel_x, pixel_y, index, numbers);
     CameraRay ray;
     camera_ray(numbers, ray);
+    uint sample_key = hash_combine(numbers.key, index);
     vec3 throughput = vec3(1.0f);
     float pdf_bsdf = 0.0f;
     PathPayload p;
@@ -77,7 +78,7 @@ HM_FN void trace_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathSampl
     p.index = index;
     p.bounce = 0u;
     for (;;) {
-        p.key = ray_key(numbers, p.bounce, kRayRadiance);
+        p.key = ray_key(sample_key, p.bounce, kRayRadiance);
         trace_path(p, ray.origin, ray.direction);
         s.rays = s.rays + 1u;
         if (p.passed_through != 0u) {
@@ -92,14 +93,14 @@ HM_FN void trace_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathSampl
         }
         if (max_component(p.light_contribution) > 0.0f) {
             s.rays = s.rays + 1u;
-            uint shadow_key = ray_key(numbers, p.bounce, kRayShadow);
+            uint shadow_key = ray_key(sample_key, p.bounce, kRayShadow);
             if (trace_visible(p.next_origin, p.light_direction, p.light_distance, shadow_key))
                 add_contribution(s, throughput * p.light_contribution, p.bounce > 0u);
         }
         throughput = throughput * p.weight;
         if (max_component(throughput) <= 0.0f) break;
         p.bounce = p.bounce + 1u;
-        if (!survive_roulette(numbers, p.bounce, throughput)) break;
+        if (!survive_roulette(p.roulette, p.bounce, throughput)) break;
         pdf_bsdf = p.pdf;
         ray.origin = p.next_origin;
         ray.direction = p.next_direction;

@@ -41,6 +41,7 @@ struct PathPayload {
     vec3 next_direction;
     vec3 weight;           // f cos / pdf; 0 ends the path
     float pdf;             // of next_direction, whole mixture of lobes
+    uint roulette;         // this bounce's number for Russian roulette
     vec3 light_direction;  // one light sample, visibility not yet known
     float light_distance;
     vec3 light_contribution;  // L f cos / pdf with its MIS weight; 0: no need to trace
