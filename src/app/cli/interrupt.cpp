@@ -1,0 +1,37 @@
+#include "app/cli/interrupt.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+
+#include "base/result.h"
+
+namespace hm::cli {
+namespace {
+
+std::atomic<bool> asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler may not touch it
+
+// Files are written under temporary names, so ending here leaves none of the wanted names half
+// written.
+void on_signal(int) {
+    if (asked.exchange(true)) ::_exit(int(ExitCode::interrupted));
+}
+
+}  // namespace
+
+void catch_interrupts() {
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    ::sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    ::sigaction(SIGINT, &action, nullptr);
+    ::sigaction(SIGTERM, &action, nullptr);
+}
+
+bool interrupted() {
+    return asked.load();
+}
+
+}  // namespace hm::cli

@@ -1,0 +1,40 @@
+// The program: parses, dispatches, and turns whatever went wrong into one line and an exit code.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/cli/options.h"
+#include "app/cli/render.h"
+#include "base/text.h"
+
+namespace {
+
+using namespace hm;
+
+Result<ExitCode> run(int count, const char* const* arguments) {
+    HM_TRY_ASSIGN(const cli::CommandLine line, cli::parse_command_line(count, arguments));
+    if (line.render) return cli::render(*line.render);
+    if (std::fputs(line.text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+        return fail(ExitCode::unwritable, "standard output", "", "can't be written");
+    return ExitCode::ok;
+}
+
+int complain(ExitCode code, std::string_view line) {
+    fmt::print(stderr, "himalaya: error: {}\n", printable(line));
+    return int(code);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    try {
+        const Result<ExitCode> code = run(count, arguments);
+        return code ? int(*code) : complain(code.error().code, code.error().line());
+    } catch (const std::bad_alloc&) {
+        return complain(ExitCode::internal, "there is not enough memory");
+    } catch (const std::exception& error) {
+        return complain(ExitCode::internal, error.what());
+    }
+}

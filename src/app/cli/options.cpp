@@ -1,0 +1,110 @@
+#include "app/cli/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "app/cli/demo.h"
+#include "app/cli/render_flags.h"
+
+namespace hm::cli {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+// Of these only one makes sense, or they belong together: a flag on the command line also replaces
+// a demo's values for the others.
+constexpr std::array<std::array<std::string_view, 4>, 3> kReplacedTogether = {{
+    {"camera", "eye", "target", "up"},
+    {"spp", "time", "", ""},
+    {"size", "crop", "", ""},
+}};
+
+// What says nothing about the picture.
+constexpr std::array<std::string_view, 6> kNotSettings = {"FILE",  "output",  "json",
+                                                          "quiet", "threads", "help"};
+
+bool was_given(const RenderOptions& options, std::string_view flag) {
+    const auto given = [&](std::string_view name) {
+        return !name.empty() && std::any_of(options.given.begin(), options.given.end(),
+                                            [&](const auto& pair) { return pair.first == name; });
+    };
+    for (const auto& group : kReplacedTogether)
+        if (std::find(group.begin(), group.end(), flag) != group.end())
+            return std::any_of(group.begin(), group.end(), given);
+    return given(flag);
+}
+
+// Throws what CLI11 throws.
+CommandLine parse(const Arguments& arguments) {
+    CommandLine line;
+    CLI::App app("Physically based renderer for glTF", "himalaya");
+    app.set_version_flag("--version", "himalaya " HIMALAYA_VERSION);
+    app.require_subcommand(1);
+    RenderOptions options;
+    CLI::App& render = *app.add_subcommand("render", "Draw a scene into one or more pictures");
+    add_render_flags(render, options);
+    try {
+        app.parse(Arguments(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::CallForHelp&) {
+        line.text = app.help();
+        return line;
+    } catch (const CLI::CallForVersion& version) {
+        line.text = std::string(version.what()) + "\n";
+        return line;
+    }
+    for (const CLI::Option* option : render.get_options()) {
+        const std::string name = option->get_single_name();
+        if (option->count() > 0 &&
+            std::find(kNotSettings.begin(), kNotSettings.end(), name) == kNotSettings.end())
+            options.given.emplace_back(name, option->results().front());
+    }
+    if (options.time && render.get_option("--spp")->count() == 0) options.samples = kMaxSamples;
+    line.render = std::move(options);
+    return line;
+}
+
+Result<CommandLine> parse_with_demo(const Arguments& arguments, const RenderOptions& first) {
+    HM_TRY_ASSIGN(const Demo demo,
+                  find_demo(std::string_view(first.input).substr(kDemoPrefix.size())));
+    Arguments all = {arguments.front()};
+    for (const auto& [flag, value] : demo.flags)
+        if (!was_given(first, flag)) all.push_back(fmt::format("--{}={}", flag, value));
+    all.insert(all.end(), arguments.begin() + 1, arguments.end());
+    try {
+        CommandLine line = parse(all);
+        if (line.render) line.render->scene_file = demo.scene;
+        return line;
+    } catch (const CLI::ParseError& error) {
+        // The command line alone was fine, so this comes from the demo's flags.
+        return fail(ExitCode::invalid,
+                    std::filesystem::path(demo.scene).replace_extension(".json").string(), "",
+                    error.what());
+    }
+}
+
+}  // namespace
+
+Result<CommandLine> parse_command_line(int count, const char* const* arguments) {
+    const std::span<const char* const> given(arguments, std::size_t(count));
+    const Arguments list(given.begin() + (given.empty() ? 0 : 1), given.end());
+    try {
+        CommandLine line = parse(list);
+        if (!line.render) return line;
+        if (line.render->input.starts_with(kDemoPrefix)) {
+            HM_TRY_ASSIGN(line, parse_with_demo(list, *line.render));
+        } else {
+            line.render->scene_file = line.render->input;
+        }
+        if (line.render) HM_TRY(check_render_options(*line.render));
+        return line;
+    } catch (const CLI::ParseError& error) {
+        return fail(ExitCode::usage, "", "", error.what());
+    }
+}
+
+}  // namespace hm::cli

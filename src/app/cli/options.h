@@ -1,0 +1,77 @@
+// What the command line asks for, checked as far as that goes without the scene.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "film/film.h"
+#include "film/tonemap.h"
+#include "shading/structs.h"
+#include "shading/tables/tables.h"
+
+namespace hm::cli {
+
+// A float counts samples exactly up to here.
+inline constexpr std::uint32_t kMaxSamples = 1u << 24;
+
+struct ViewOptions {
+    std::string camera;  // name or index; empty: the file's first
+    std::optional<vec3> eye, target, up;
+    std::optional<float> fov;  // vertical, degrees
+    float aperture = 0;        // the lens' radius, metres
+    std::optional<float> focus;
+};
+
+struct RenderOptions {
+    std::string input;  // as given: a path or demo:NAME
+    std::filesystem::path scene_file;
+    std::vector<std::filesystem::path> outputs;
+
+    std::uint32_t width = 1280, height = 720;
+    std::optional<PixelRect> crop;
+    std::uint32_t samples = 64;
+    std::optional<float> time;  // seconds
+    std::uint32_t seed = 0;
+    std::uint32_t sampler = kSamplerSobolOwen;
+    std::uint32_t bounces = 8;  // 0: no limit
+    float clamp = 0;            // 0: off
+    PixelFilter filter = PixelFilter::blackman_harris;
+    std::optional<float> filter_width;  // pixels
+    std::uint32_t threads = 0;          // 0: all
+
+    ViewOptions view;
+
+    std::string env;  // a path, "none", or empty: the default where the scene has no light
+    float env_rotation = 0;
+    float env_intensity = 1;
+    std::uint32_t background = kBackgroundEnvironment;
+    vec3 background_color{0};
+    bool punctual = true;
+
+    bool energy_compensation = true;
+    std::uint32_t diffuse = kDiffuseLambert;
+    std::uint32_t strategy = kStrategyMis;
+
+    std::uint32_t tone_curve = kToneNeutral;
+    std::optional<float> exposure = 0.0f;  // none: auto
+    bool json = false;
+    bool quiet = false;
+
+    // Flags and values that shaped the picture, a demo's own first: for reports and metadata.
+    std::vector<std::pair<std::string, std::string>> given;
+};
+
+struct CommandLine {
+    std::optional<RenderOptions> render;
+    std::string text;  // help or version, to be printed instead
+};
+
+// Fails with ExitCode::usage, or with a demo's own error.
+Result<CommandLine> parse_command_line(int count, const char* const* arguments);
+
+}  // namespace hm::cli

@@ -1,0 +1,43 @@
+// What the user sees on standard error while the program works.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string_view>
+
+namespace hm::cli {
+
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct ProgressState {
+    double fraction = 0;  // of samples or of time, whichever is nearer to its end
+    double samples_per_pixel = 0;
+    std::uint64_t rays = 0;
+    double seconds = 0;  // of rendering
+};
+
+// A live bar on a terminal, else a line every few seconds. Lines are made printable. Not for
+// several threads at once.
+class Progress {
+  public:
+    explicit Progress(bool quiet);
+
+    void note(std::string_view text);     // "himalaya: text"
+    void warning(std::string_view text);  // "himalaya: warning: text"
+    void update(const ProgressState& state);
+    void finish();  // removes the bar
+
+  private:
+    void line(std::string_view text);
+
+    bool quiet_;
+    bool terminal_;
+    bool bar_shown_ = false;
+    double last_line_ = 0;  // seconds of rendering
+};
+
+}  // namespace hm::cli

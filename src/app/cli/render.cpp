@@ -1,0 +1,132 @@
+// The way a picture travels: load, flatten, build the BVH, render in passes, resolve, write.
+#include "app/cli/render.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <cstdio>
+#include <optional>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/passes.h"
+#include "app/cli/report.h"
+#include "app/cli/setup.h"
+#include "cpu/render.h"
+#include "film/write.h"
+#include "gltf/load.h"
+
+namespace hm::cli {
+namespace {
+
+PictureOptions picture_options(const RenderOptions& options, const Film& film,
+                               const Image& picture) {
+    PictureOptions p;
+    p.crop = film.crop;
+    p.alpha = options.background == kBackgroundTransparent;
+    p.tone = {options.exposure ? *options.exposure : auto_exposure(picture), options.tone_curve};
+    return p;
+}
+
+// All of them are tried, so that one full disk does not cost every picture; the first error is
+// returned.
+Result<void> write_all(const RenderOptions& options, const Film& film, const Metadata& metadata) {
+    const Image picture = film.resolve();
+    const PictureOptions how = picture_options(options, film, picture);
+    Result<void> outcome;
+    for (const std::filesystem::path& path : options.outputs) {
+        Result<void> written = write_picture(path, picture, how, metadata);
+        if (!written && outcome) outcome = std::move(written);
+    }
+    return outcome;
+}
+
+void fill_results(RenderSummary& summary, const Film& film, const RenderCounters& counters) {
+    summary.samples = counters.samples.load();
+    summary.rays = counters.rays.load();
+    summary.non_finite = counters.non_finite.load();
+    summary.samples_per_pixel = film.mean_samples();
+    summary.removed_luminance = film.removed_luminance();
+    summary.mean_luminance = film.mean_luminance();
+}
+
+void note_defaults(Progress& progress, const RenderSummary& summary) {
+    if (summary.environment == "default")
+        progress.note(
+            "the scene has no punctual light: using the default environment (--env none "
+            "for black)");
+    if (summary.camera == "framing")
+        progress.note("the file has no camera: framing the whole scene (see --eye)");
+}
+
+void warn_all(Progress& progress, const RenderSummary& summary, const std::string& file,
+              Diagnostics& diagnostics) {
+    if (summary.non_finite > 0)
+        diagnostics.warn(
+            file, "",
+            fmt::format("{} samples were not finite and count as black", summary.non_finite));
+    for (const Warning& warning : diagnostics.warnings())
+        progress.warning(warning.line());
+}
+
+Result<void> print_report(const std::string& report) {
+    if (std::fputs(report.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+        return fail(ExitCode::unwritable, "standard output", "", "can't be written");
+    return {};
+}
+
+}  // namespace
+
+Result<ExitCode> render(const RenderOptions& options) {
+    std::optional<tbb::global_control> limit;
+    if (options.threads != 0)
+        limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+    Progress progress(options.quiet);
+    Diagnostics diagnostics;
+    RenderSummary summary;
+
+    Clock::time_point start = Clock::now();
+    HM_TRY_ASSIGN(const Scene scene, load_gltf(options.scene_file, diagnostics));
+    summary.times.load = seconds_since(start);
+
+    start = Clock::now();
+    HM_TRY_ASSIGN(EnvironmentChoice environment, choose_environment(options, scene));
+    summary.environment = environment.name;
+    const FlatScene flat = flatten(scene, std::move(environment.map),
+                                   LightChoice{.punctual = options.punctual}, diagnostics);
+    const float aspect = float(options.width) / float(options.height);
+    HM_TRY_ASSIGN(const CameraChoice camera,
+                  choose_camera(options.view, scene, flat.bounds, aspect));
+    summary.camera = camera.name;
+    summary.scene = scene_stats(scene, flat);
+    summary.times.flatten = seconds_since(start);
+    note_defaults(progress, summary);
+
+    start = Clock::now();
+    CpuRenderer renderer(flat, options.threads);
+    summary.bvh = renderer.bvh_stats();
+    summary.instruction_set = renderer.instruction_set();
+    summary.times.bvh = seconds_since(start);
+
+    Film film(options.crop.value_or(PixelRect{0, 0, options.width, options.height}));
+    RenderCounters counters;
+    catch_interrupts();
+    const PassResult passes = render_passes(
+        renderer, camera.data, make_params(options, flat), make_filter_table(options.filter), film,
+        counters, PassPlan{.samples = options.samples, .time = options.time}, interrupted,
+        [&](const ProgressState& state) { progress.update(state); });
+    progress.finish();
+    summary.times.render = passes.seconds;
+    summary.interrupted = passes.interrupted;
+    fill_results(summary, film, counters);
+
+    start = Clock::now();
+    HM_TRY(write_all(options, film, picture_metadata(options, summary)));
+    summary.times.write = seconds_since(start);
+
+    warn_all(progress, summary, options.input, diagnostics);
+    progress.note(summary_line(summary));
+    if (options.json) HM_TRY(print_report(json_report(options, summary, diagnostics)));
+    return summary.interrupted ? ExitCode::interrupted : ExitCode::ok;
+}
+
+}  // namespace hm::cli

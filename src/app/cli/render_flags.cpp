@@ -1,0 +1,239 @@
+#include "app/cli/render_flags.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/values.h"
+#include "film/write.h"
+
+namespace hm::cli {
+namespace {
+
+// A flag whose text `parse` turns into the value of `target`.
+template <class Target, class Parse>
+CLI::Option* add(CLI::App& app, const std::string& name, const std::string& type, Target& target,
+                 Parse parse, const std::string& help) {
+    const auto store = [&target, name, parse](const std::string& text) {
+        auto value = parse(text);
+        if (!value) throw CLI::ValidationError(name, value.error());
+        target = *value;
+    };
+    return app.add_option_function<std::string>(name, store, help)->type_name(type);
+}
+
+auto number(float low, float high) {
+    return [=](const std::string& text) { return parse_number(text, low, high); };
+}
+auto integer(std::uint32_t low, std::uint32_t high) {
+    return [=](const std::string& text) { return parse_integer(text, low, high); };
+}
+Parsed<bool> parse_switch(const std::string& text) {
+    return parse_choice<bool>(text, {{"on", true}, {"off", false}});
+}
+
+void add_files(CLI::App& app, RenderOptions& o) {
+    app.add_option("FILE", o.input,
+                   "A .glb or .gltf file, or demo:NAME for a scene that comes along")
+        ->required();
+    const auto store = [&o](const std::vector<std::string>& paths) {
+        for (const std::string& path : paths) {
+            if (!picture_kind(path))
+                throw CLI::ValidationError("--output",
+                                           "\"" + path + "\" does not end in .exr, .png or .hdr");
+            o.outputs.emplace_back(path);
+        }
+    };
+    app.add_option_function<std::vector<std::string>>(
+           "-o,--output", store,
+           "Where to write; may be repeated. .exr: linear, premultiplied floats. .png: exposed, "
+           "tone "
+           "mapped, 8-bit sRGB, straight alpha. .hdr: linear RGBE, no alpha")
+        ->type_name("PATH")
+        ->allow_extra_args(false)
+        ->required();
+    app.add_flag("--json", o.json, "Print one JSON report on standard output");
+    app.add_flag("--quiet", o.quiet, "Print errors only");
+}
+
+void add_sampling(CLI::App& app, RenderOptions& o) {
+    const auto store = [&o](const std::string& text) {
+        const Parsed<Size> size = parse_size(text);
+        if (!size) throw CLI::ValidationError("--size", size.error());
+        o.width = size->width;
+        o.height = size->height;
+    };
+    app.add_option_function<std::string>("--size", store, "The picture's pixels (1280x720)")
+        ->type_name("WxH");
+    add(app, "--crop", "X0,Y0,X1,Y1", o.crop, parse_crop,
+        "Draw and write these pixels only, the last ones excluded. They get the samples that they "
+        "get in the whole picture");
+    add(app, "--spp", "N", o.samples, integer(1, kMaxSamples),
+        "Samples per pixel (64; with --time alone as many as fit)");
+    add(app, "--time", "SECONDS", o.time, number(0.001f, 1e9f),
+        "Stop after this much wall-clock time of rendering, but not before each pixel has a "
+        "sample");
+    add(app, "--seed", "N", o.seed, integer(0, 0xffffffffu), "Another number, other noise (0)");
+    add(
+        app, "--sampler", "NAME", o.sampler,
+        [](const std::string& text) {
+            return parse_choice<std::uint32_t>(text, {{"independent", kSamplerIndependent},
+                                                      {"sobol-blue-noise", kSamplerSobolBlueNoise},
+                                                      {"sobol-owen", kSamplerSobolOwen}});
+        },
+        "independent, sobol-blue-noise or sobol-owen (the default)");
+    add(app, "--bounces", "N", o.bounces, integer(0, 1000000),
+        "Scattering events per path: 1 is direct light, 0 no limit (8)");
+    add(app, "--clamp", "X", o.clamp, number(0, 1e15f),
+        "Scale each contribution of an indirect bounce down to this. Fewer fireflies, less light; "
+        "the metadata say how much less. 0: off (the default)");
+    add(
+        app, "--filter", "NAME", o.filter,
+        [](const std::string& text) {
+            return parse_choice<PixelFilter>(text,
+                                             {{"box", PixelFilter::box},
+                                              {"gaussian", PixelFilter::gaussian},
+                                              {"blackman-harris", PixelFilter::blackman_harris}});
+        },
+        "Pixel filter: box, gaussian (sigma is a fourth of the width) or blackman-harris (the "
+        "default)");
+    add(app, "--filter-width", "PX", o.filter_width, number(0, 64),
+        "The filter's full width in pixels (box 1, gaussian 2, blackman-harris 3)");
+    add(app, "--threads", "N", o.threads, integer(0, 1024),
+        "Threads; 0: all cores (the default). The picture is the same for any number");
+    app.add_option_function<std::string>(
+           "--device",
+           [](const std::string& text) {
+               if (text != "cpu")
+                   throw CLI::ValidationError("--device", "\"" + text + "\" is not cpu");
+           },
+           "What renders: cpu")
+        ->type_name("NAME");
+}
+
+void add_view(CLI::App& app, ViewOptions& v) {
+    CLI::Option* camera = app.add_option(
+        "--camera", v.camera,
+        "The file's camera of this name or index (0). Without any, the whole scene is framed");
+    camera->type_name("NAME|INDEX");
+    CLI::Option* eye = add(app, "--eye", "X,Y,Z", v.eye, parse_vector,
+                           "Look from this point, metres, instead of through a camera of the file");
+    eye->excludes(camera);
+    add(app, "--target", "X,Y,Z", v.target, parse_vector, "Look at this point (the scene's middle)")
+        ->needs(eye);
+    add(app, "--up", "X,Y,Z", v.up, parse_vector, "What is up in the picture (0,1,0)")->needs(eye);
+    add(app, "--fov", "DEGREES", v.fov, number(0.01f, 179.0f),
+        "Vertical field of view (the file's camera's, else 45)");
+    add(app, "--aperture", "METRES", v.aperture, number(0, 1e6f),
+        "The lens' radius; 0: all is sharp (the default)");
+    add(app, "--focus", "METRES", v.focus, number(1e-6f, 1e15f),
+        "What lies this far along the view's axis is sharp (--target, else the scene's middle)");
+}
+
+void add_light(CLI::App& app, RenderOptions& o) {
+    app.add_option("--env", o.env,
+                   "Equirectangular .hdr or .exr that lights the scene, or none for black. Without "
+                   "it a scene that has no punctual light gets a neutral sky")
+        ->type_name("FILE|none");
+    add(app, "--env-rotation", "DEGREES", o.env_rotation, number(-36000, 36000),
+        "Turn the environment about the vertical axis (0)");
+    add(app, "--env-intensity", "X", o.env_intensity, number(0, 1e9f),
+        "Multiply the environment's radiance (1)");
+    const auto background = [&o](const std::string& text) {
+        o.background = kBackgroundEnvironment;
+        if (text == "environment") return;
+        o.background = text == "transparent" ? kBackgroundTransparent : kBackgroundColor;
+        if (text == "transparent") return;
+        const Parsed<vec3> color = parse_color(text);
+        if (!color)
+            throw CLI::ValidationError("--background",
+                                       color.error() + ", environment or transparent");
+        o.background_color = *color;
+    };
+    app.add_option_function<std::string>(
+           "--background", background,
+           "What stands behind the scene: environment (the default), transparent, or a colour, "
+           "linear R,G,B or sRGB #rrggbb; the environment lights all the same")
+        ->type_name("NAME|COLOR");
+}
+
+void add_shading(CLI::App& app, RenderOptions& o) {
+    add(app, "--energy-compensation", "on|off", o.energy_compensation, parse_switch,
+        "Keep the light that scatters more than once within a rough surface (on). off: glTF's "
+        "Appendix B to the letter, for comparing");
+    add(
+        app, "--diffuse", "NAME", o.diffuse,
+        [](const std::string& text) {
+            return parse_choice<std::uint32_t>(
+                text, {{"lambert", kDiffuseLambert}, {"burley", kDiffuseBurley}});
+        },
+        "lambert (the default) or burley");
+    add(
+        app, "--exposure", "EV|auto", o.exposure,
+        [](const std::string& text) -> Parsed<std::optional<float>> {
+            if (text == "auto") return std::optional<float>();
+            return parse_number(text, -32, 32).map([](float ev) { return std::optional(ev); });
+        },
+        "PNG only: multiply by 2^EV (0). auto: the log-average of what is lit becomes 0.18");
+    add(
+        app, "--tonemap", "NAME", o.tone_curve,
+        [](const std::string& text) {
+            return parse_choice<std::uint32_t>(text, {{"neutral", kToneNeutral},
+                                                      {"aces", kToneAces},
+                                                      {"agx", kToneAgx},
+                                                      {"linear", kToneLinear}});
+        },
+        "PNG only: neutral (Khronos PBR Neutral, the default), aces, agx or linear");
+}
+
+void add_checks(CLI::App& app, RenderOptions& o) {
+    add(
+        app, "--strategy", "NAME", o.strategy,
+        [](const std::string& text) {
+            return parse_choice<std::uint32_t>(
+                text, {{"mis", kStrategyMis}, {"light", kStrategyLight}, {"bsdf", kStrategyBsdf}});
+        },
+        "How light is found: by sampling lights, the BSDF or both (mis, the default). All three "
+        "have the same mean");
+    add(app, "--punctual", "on|off", o.punctual, parse_switch,
+        "off: as if the file had no punctual lights (on)");
+}
+
+// Under one heading of the help text.
+template <class Add, class Options>
+void add_group(CLI::App& app, const std::string& heading, Add add_all, Options& options) {
+    const std::size_t before = app.get_options().size();
+    add_all(app, options);
+    const std::vector<CLI::Option*> all = app.get_options();
+    for (std::size_t i = before; i < all.size(); ++i)
+        all[i]->group(heading);
+}
+
+}  // namespace
+
+void add_render_flags(CLI::App& app, RenderOptions& options) {
+    add_group(app, "Files", add_files, options);
+    add_group(app, "Sampling", add_sampling, options);
+    add_group(app, "View", add_view, options.view);
+    add_group(app, "Light", add_light, options);
+    add_group(app, "Look", add_shading, options);
+    add_group(app, "For checking the renderer", add_checks, options);
+}
+
+Result<void> check_render_options(const RenderOptions& o) {
+    const auto usage = [](std::string message) {
+        return fail(ExitCode::usage, "", "", std::move(message));
+    };
+    if (o.crop && (o.crop->x1 > o.width || o.crop->y1 > o.height))
+        return usage(
+            fmt::format("--crop: reaches beyond the picture's {} x {} pixels", o.width, o.height));
+    if (o.filter_width && *o.filter_width <= 0) return usage("--filter-width: must be above 0");
+    if (o.view.up && *o.view.up == vec3(0)) return usage("--up: must have a length");
+    if (o.view.target && *o.view.target == *o.view.eye)
+        return usage("--target: is the same point as --eye");
+    for (const std::filesystem::path& path : o.outputs)
+        HM_TRY(check_writable(path));
+    return {};
+}
+
+}  // namespace hm::cli

@@ -1,0 +1,16 @@
+// The flags of `himalaya render`; their help texts are the manual.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "app/cli/options.h"
+
+namespace hm::cli {
+
+// Both must outlive the parsing; flags throw CLI::ParseError.
+void add_render_flags(CLI::App& app, RenderOptions& options);
+
+// What no single flag can tell. Fails with ExitCode::usage or, for outputs, unwritable.
+Result<void> check_render_options(const RenderOptions& options);
+
+}  // namespace hm::cli

@@ -1,0 +1,137 @@
+#include "app/cli/report.h"
+
+#include <fmt/format.h>
+
+#include "app/cli/json_writer.h"
+
+namespace hm::cli {
+namespace {
+
+const char* sampler_name(std::uint32_t kind) {
+    return kind == kSamplerIndependent      ? "independent"
+           : kind == kSamplerSobolBlueNoise ? "sobol-blue-noise"
+                                            : "sobol-owen";
+}
+
+double per_second(std::uint64_t count, double seconds) {
+    return seconds > 0 ? double(count) / seconds : 0;
+}
+
+double removed_share(const RenderSummary& s) {
+    const double all = s.removed_luminance + s.mean_luminance;
+    return all > 0 ? s.removed_luminance / all : 0;
+}
+
+std::string bias(const RenderOptions& options, const RenderSummary& summary) {
+    const std::string events =
+        options.bounces == 0
+            ? ""
+            : fmt::format(" up to {} event{}", options.bounces, options.bounces == 1 ? "" : "s");
+    if (options.clamp == 0) return "unbiased" + events;
+    return fmt::format("clamped at {:g}, removed {:.3g} % of luminance{}", options.clamp,
+                       100 * removed_share(summary), events.empty() ? "" : ";" + events);
+}
+
+std::string settings_line(const RenderOptions& options) {
+    std::string line = options.input;
+    for (const auto& [flag, value] : options.given)
+        line += fmt::format(" --{} {}", flag, value);
+    return line;
+}
+
+void write_scene(JsonWriter& json, const SceneStats& s) {
+    json.key("scene").begin_object();
+    json.field("meshes", s.meshes).field("instances", s.instances);
+    json.field("materials", s.materials).field("images", s.images);
+    json.field("triangles", s.triangles).field("punctual_lights", s.punctual_lights);
+    json.field("emissive_triangles", s.emissive_triangles).end_object();
+}
+
+void write_bvh(JsonWriter& json, const BvhStats& s) {
+    json.key("bvh").begin_object();
+    json.field("triangles", s.triangles).field("degenerate_triangles", s.degenerate_triangles);
+    json.field("nodes", s.nodes).field("packets", s.packets);
+    json.field("merged_instances", s.merged_instances).field("bytes", s.bytes).end_object();
+}
+
+void write_times(JsonWriter& json, const StageTimes& t) {
+    json.key("seconds").begin_object();
+    json.field("load", t.load).field("flatten", t.flatten).field("bvh", t.bvh);
+    json.field("render", t.render).field("write", t.write).end_object();
+}
+
+}  // namespace
+
+SceneStats scene_stats(const Scene& scene, const FlatScene& flat) {
+    SceneStats s;
+    s.meshes = scene.meshes.size();
+    s.instances = flat.instances.size();
+    s.materials = scene.materials.size();
+    s.images = scene.images.size();
+    for (const InstanceData& i : flat.instances)
+        for (std::size_t g = i.first_geometry; g < flat.mesh_first_geometry[i.mesh + 1]; ++g)
+            s.triangles += flat.geometries[g].triangle_count;
+    s.punctual_lights = flat.lights.size();
+    s.emissive_triangles = flat.emitters.size();
+    return s;
+}
+
+// Nothing here depends on the clock or the machine: the same picture is the same file.
+Metadata picture_metadata(const RenderOptions& options, const RenderSummary& summary) {
+    return {{"software", "Himalaya " HIMALAYA_VERSION},
+            {"settings", settings_line(options)},
+            {"samplesPerPixel", fmt::format("{:g}", summary.samples_per_pixel)},
+            {"seed", fmt::format("{}", options.seed)},
+            {"sampler", sampler_name(options.sampler)},
+            {"bounces", options.bounces == 0 ? "no limit" : fmt::format("{}", options.bounces)},
+            {"bias", bias(options, summary)},
+            {"colorSpace", "linear Rec.709"},
+            {"camera", summary.camera},
+            {"environment", summary.environment}};
+}
+
+std::string json_report(const RenderOptions& options, const RenderSummary& summary,
+                        const Diagnostics& diagnostics) {
+    JsonWriter json;
+    json.begin_object();
+    json.field("program", "himalaya " HIMALAYA_VERSION);
+    json.field("input", options.input).field("scene_file", options.scene_file.string());
+    json.key("settings").begin_object();
+    for (const auto& [flag, value] : options.given)
+        json.field(flag, value);
+    json.end_object();
+    json.field("width", options.width).field("height", options.height);
+    json.field("camera", summary.camera).field("environment", summary.environment);
+    json.field("device", "cpu").field("instruction_set", summary.instruction_set);
+    json.field("sampler", sampler_name(options.sampler)).field("bias", bias(options, summary));
+    write_scene(json, summary.scene);
+    write_bvh(json, summary.bvh);
+    write_times(json, summary.times);
+    json.field("samples_per_pixel", summary.samples_per_pixel);
+    json.field("samples", summary.samples).field("rays", summary.rays);
+    json.field("samples_per_second", per_second(summary.samples, summary.times.render));
+    json.field("rays_per_second", per_second(summary.rays, summary.times.render));
+    json.field("non_finite_samples", summary.non_finite);
+    json.field("clamp_removed_share", removed_share(summary));
+    json.field("mean_luminance", summary.mean_luminance);
+    json.field("interrupted", summary.interrupted);
+    json.key("outputs").begin_array();
+    for (const std::filesystem::path& path : options.outputs)
+        json.value(path.string());
+    json.end_array().key("warnings").begin_array();
+    for (const Warning& warning : diagnostics.warnings())
+        json.value(warning.line());
+    json.end_array().end_object();
+    return json.text() + "\n";
+}
+
+std::string summary_line(const RenderSummary& s) {
+    return fmt::format(
+        "{}{:.6g} samples/pixel, {:.2f} Mrays/s; load {:.2f} s, BVH {:.2f} s, "
+        "render {:.2f} s, write {:.2f} s",
+        s.interrupted ? "interrupted at " : "", s.samples_per_pixel,
+        per_second(s.rays, s.times.render) * 1e-6, s.times.load + s.times.flatten, s.times.bvh,
+        s.times.render, s.times.write);
+}
+
+}  // namespace hm::cli

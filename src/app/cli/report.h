@@ -1,0 +1,49 @@
+// What is told about a finished picture: metadata inside the file, a JSON report, one line.
+#pragma once
+
+#include <string>
+
+#include "app/cli/options.h"
+#include "base/diagnostics.h"
+#include "bvh/bvh.h"
+#include "film/film.h"
+#include "image/write.h"
+#include "scene/flatten.h"
+#include "scene/scene.h"
+
+namespace hm::cli {
+
+// Seconds of wall clock.
+struct StageTimes {
+    double load = 0;
+    double flatten = 0;  // environment included
+    double bvh = 0;
+    double render = 0;
+    double write = 0;
+};
+
+struct SceneStats {
+    std::uint64_t meshes = 0, instances = 0, materials = 0, images = 0;
+    std::uint64_t triangles = 0;  // instances counted one by one
+    std::uint64_t punctual_lights = 0, emissive_triangles = 0;
+};
+
+struct RenderSummary {
+    std::string camera, environment, instruction_set;
+    SceneStats scene;
+    BvhStats bvh;
+    StageTimes times;
+    std::uint64_t samples = 0, rays = 0, non_finite = 0;
+    double samples_per_pixel = 0;  // the mean, where an early end left differences
+    double removed_luminance = 0, mean_luminance = 0;  // by the clamp, and what is left
+    bool interrupted = false;
+};
+
+SceneStats scene_stats(const Scene& scene, const FlatScene& flat);
+
+Metadata picture_metadata(const RenderOptions& options, const RenderSummary& summary);
+std::string json_report(const RenderOptions& options, const RenderSummary& summary,
+                        const Diagnostics& diagnostics);
+std::string summary_line(const RenderSummary& summary);
+
+}  // namespace hm::cli

@@ -1,0 +1,32 @@
+// From the options and the scene to what the renderer is told.
+#pragma once
+
+#include <string>
+
+#include "app/cli/options.h"
+#include "scene/environment.h"
+#include "scene/flatten.h"
+#include "scene/scene.h"
+
+namespace hm::cli {
+
+struct EnvironmentChoice {
+    EnvironmentMap map;
+    std::string name;  // the file, "none" or "default"
+};
+
+// The file that --env names, darkness, or the default sky where no punctual light is used.
+Result<EnvironmentChoice> choose_environment(const RenderOptions& options, const Scene& scene);
+
+struct CameraChoice {
+    CameraData data{};
+    std::string name;  // "camera 0 (name)", "look-at" or "framing"
+};
+
+// Fails with ExitCode::usage where the flags do not fit the scene.
+Result<CameraChoice> choose_camera(const ViewOptions& view, const Scene& scene,
+                                   const Bounds& bounds, float aspect);
+
+RenderParams make_params(const RenderOptions& options, const FlatScene& scene);
+
+}  // namespace hm::cli

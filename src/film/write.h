@@ -1,0 +1,32 @@
+// The finished picture to a file; the extension says which kind.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "base/result.h"
+#include "film/tonemap.h"
+#include "image/write.h"
+
+namespace hm {
+
+enum class PictureKind { exr, png, hdr };
+
+// By the extension, in upper or lower case; nothing if it is none of ours.
+std::optional<PictureKind> picture_kind(const std::filesystem::path& path);
+
+// Whether a picture could be written there now: for asking before the hours of rendering. Fails
+// with ExitCode::unwritable.
+Result<void> check_writable(const std::filesystem::path& path);
+
+struct PictureOptions {
+    PixelRect crop;      // where the picture lies in the whole
+    bool alpha = false;  // write the coverage; .hdr has no place for it
+    ToneSettings tone;   // PNG only
+};
+
+// `linear` is rgba32f and premultiplied; the extension must be known.
+Result<void> write_picture(const std::filesystem::path& path, const Image& linear,
+                           const PictureOptions& options, const Metadata& metadata);
+
+}  // namespace hm
