@@ -1,0 +1,172 @@
+// Rays and samples per second, and the error over samples of each sampler, as JSON.
+//
+//     render_bench [--errors] SCENE[:ENVIRONMENT] ...
+//
+// SCENE is a glTF file; ENVIRONMENT a .hdr or .exr, "none", or absent for the default one. Rates
+// are per second of wall clock with all cores and, steadier on a busy machine, per processor
+// second. Errors are relative mean squared errors against 4096 samples of Owen-scrambled Sobol
+// under another seed, at 96 x 64, averaged over seeds.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/files.h"
+#include "cpu/render.h"
+#include "gltf/load.h"
+#include "image/metrics.h"
+#include "image/read.h"
+#include "machine.h"
+#include "scene/camera.h"
+#include "shading/tables/tables.h"
+
+namespace hm {
+namespace {
+
+struct BenchScene {
+    Scene scene;
+    FlatScene flat;
+    std::size_t camera_node = 0;
+    bool has_camera = false;
+};
+
+Result<EnvironmentMap> read_environment(const std::string& name) {
+    if (name == "none") return make_environment(default_environment(), 0, 0);
+    if (name.empty()) return make_environment(default_environment(), 0, 1);
+    HM_TRY_ASSIGN(std::vector<std::byte> bytes, read_file(name));
+    HM_TRY_ASSIGN(Image image, read_environment_image(bytes, name));
+    return make_environment(image, 0, 1);
+}
+
+Result<void> load(BenchScene& bench, const std::string& argument) {
+    std::size_t colon = argument.find(':');
+    std::string environment = colon == std::string::npos ? "" : argument.substr(colon + 1);
+    Diagnostics diagnostics;
+    HM_TRY_ASSIGN(bench.scene, load_gltf(argument.substr(0, colon), diagnostics));
+    HM_TRY_ASSIGN(EnvironmentMap map, read_environment(environment));
+    bench.flat = flatten(bench.scene, std::move(map), {}, diagnostics);
+    for (std::size_t i = 0; i < bench.scene.nodes.size() && !bench.has_camera; ++i) {
+        bench.has_camera = bench.scene.nodes[i].camera != kUnset;
+        bench.camera_node = i;
+    }
+    return {};
+}
+
+CameraData camera_of(const BenchScene& bench, float aspect) {
+    if (!bench.has_camera) return camera_framing(bench.flat.bounds, 0.8f, aspect);
+    const Node& node = bench.scene.nodes[bench.camera_node];
+    return camera_from_node(bench.scene.cameras[std::size_t(node.camera)],
+                            world_transforms(bench.scene)[bench.camera_node], aspect);
+}
+
+struct Settings {
+    std::uint32_t width, height, samples, seed, sampler;
+};
+
+Film render(const BenchScene& bench, CpuRenderer& renderer, const Settings& settings,
+            RenderCounters& counters) {
+    RenderParams params{};
+    params.width = settings.width;
+    params.height = settings.height;
+    params.seed = settings.seed;
+    params.sampler_kind = settings.sampler;
+    params.max_bounces = 8;
+    params.energy_compensation = 1;
+    params.filter_width = 1;
+    set_light_ranges(bench.flat, params);
+    Film film({0, 0, settings.width, settings.height});
+    std::atomic<bool> cancel{false};
+    renderer.render(camera_of(bench, float(settings.width) / float(settings.height)), params,
+                    make_filter_table(PixelFilter::box), film.crop, 0, settings.samples, film.sums,
+                    counters, cancel);
+    return film;
+}
+
+std::string measure_rates(const BenchScene& bench, CpuRenderer& renderer) {
+    constexpr std::uint32_t width = 640, height = 360;
+    double best_wall = 1e30, best_processor = 1e30, samples = 0, rays = 0;
+    for (std::uint32_t repeat = 0; repeat < 3; ++repeat) {
+        RenderCounters counters;
+        double wall = wall_seconds(), processor = processor_seconds();
+        render(bench, renderer, {width, height, 16, 1, kSamplerSobolOwen}, counters);
+        best_wall = std::min(best_wall, wall_seconds() - wall);
+        best_processor = std::min(best_processor, processor_seconds() - processor);
+        samples = double(counters.samples);
+        rays = double(counters.rays);
+    }
+    return fmt::format(
+        "\"samples_per_second\": {:.4g}, \"rays_per_second\": {:.4g}, "
+        "\"samples_per_processor_second\": {:.4g}, \"rays_per_processor_second\": {:.4g}, "
+        "\"rays_per_sample\": {:.3f}",
+        samples / best_wall, rays / best_wall, samples / best_processor, rays / best_processor,
+        rays / samples);
+}
+
+std::string measure_errors(const BenchScene& bench, CpuRenderer& renderer) {
+    constexpr std::uint32_t width = 96, height = 64;
+    constexpr std::string_view names[] = {"independent", "sobol_blue_noise", "sobol_owen"};
+    RenderCounters counters;
+    const Image reference =
+        render(bench, renderer, {width, height, 4096, 999, kSamplerSobolOwen}, counters).resolve();
+    std::string json = "\"relative_mse\": {";
+    for (std::uint32_t sampler = 0; sampler < 3; ++sampler) {
+        json += fmt::format("{}\"{}\": {{", sampler == 0 ? "" : ", ", names[sampler]);
+        for (std::uint32_t samples : {1u, 4u, 16u, 64u, 256u}) {
+            const std::uint32_t seeds = samples < 64 ? 4 : 2;
+            double sum = 0;
+            for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+                Film film =
+                    render(bench, renderer, {width, height, samples, seed, sampler}, counters);
+                sum += compare_images(film.resolve(), reference).relative_mse;
+            }
+            json += fmt::format("{}\"{}\": {:.4g}", samples == 1 ? "" : ", ", samples, sum / seeds);
+        }
+        json += "}";
+    }
+    return json + "}";
+}
+
+Result<std::string> measure_scene(const std::string& argument, bool errors) {
+    BenchScene bench;
+    HM_TRY(load(bench, argument));
+    CpuRenderer renderer(bench.flat, 0);
+    std::string name = argument.substr(argument.find_last_of('/', argument.find(':')) + 1);
+    std::string json = fmt::format(
+        "    {{\"scene\": \"{}\", \"triangles\": {}, \"bvh_seconds\": {:.3f}, "
+        "\"instruction_set\": \"{}\",\n     {}",
+        name, renderer.bvh_stats().triangles, renderer.bvh_stats().build_seconds,
+        renderer.instruction_set(), measure_rates(bench, renderer));
+    if (errors) json += ",\n     " + measure_errors(bench, renderer);
+    return json + "}";
+}
+
+}  // namespace
+}  // namespace hm
+
+int main(int argc, char** argv) {
+    bool errors = false;
+    std::vector<std::string> scenes;
+    for (int i = 1; i < argc; ++i) {
+        if (std::strcmp(argv[i], "--errors") == 0)
+            errors = true;
+        else
+            scenes.emplace_back(argv[i]);
+    }
+    fmt::print(
+        "{{\n  {},\n  \"size\": [640, 360], \"samples\": 16, \"bounces\": 8,\n  \"scenes\": [\n",
+        hm::machine_json());
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        hm::Result<std::string> json = hm::measure_scene(scenes[i], errors);
+        if (!json) {
+            fmt::print(stderr, "render_bench: {}\n", json.error().line());
+            return int(json.error().code);
+        }
+        fmt::print("{}{}\n", *json, i + 1 < scenes.size() ? "," : "");
+        std::fflush(stdout);
+    }
+    fmt::print("  ]\n}}\n");
+    return 0;
+}
