@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <vector>
 
 #include "bvh/bvh.h"
@@ -116,7 +116,7 @@ Scene make_scene() {
     return scene;
 }
 
-// From where the camera rays hit: cosine-distributed directions, in a shuffled order.
+// From where the camera rays hit: cosine-distributed directions, in the pixels' order.
 std::vector<Ray> diffuse_rays(const Scene& scene, const std::vector<Ray>& rays,
                               const std::vector<Hit>& hits,
                               const std::vector<std::uint8_t>& found) {
@@ -136,25 +136,51 @@ std::vector<Ray> diffuse_rays(const Scene& scene, const std::vector<Ray>& rays,
         const vec3 p = rays[i].origin + hits[i].t * rays[i].direction;
         result.push_back({p + 1e-3f * n, normalize(n + 0.999f * on_sphere), INFINITY});
     }
-    for (std::size_t i = result.size(); i > 1; --i)
-        std::swap(result[i - 1], result[std::size_t(random.next() * float(i))]);
     return result;
 }
 
+std::vector<Ray> shuffled(std::vector<Ray> rays) {
+    Random random{13};
+    for (std::size_t i = rays.size(); i > 1; --i)
+        std::swap(rays[i - 1], rays[std::size_t(random.next() * float(i))]);
+    return rays;
+}
+
+// Processor time of this thread: others on the machine disturb it less than the wall clock.
+double thread_seconds() {
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+// Rays are traced in blocks of a few milliseconds, all of them several times over; each block
+// counts with its fastest time, so a block that was interrupted does not count.
 double mrays_per_second(void (*trace)(TraceBatch&), const BvhView& view,
                         const std::vector<Ray>& rays, std::vector<Hit>& hits,
                         std::vector<std::uint8_t>& found) {
+    constexpr std::size_t kBlock = 8192;
+    constexpr int kRepeats = 7;
     hits.resize(rays.size());
     found.resize(rays.size());
-    double best = 0;
-    for (int repeat = 0; repeat < 5; ++repeat) {
-        TraceBatch batch{&view, rays.data(), hits.data(), found.data(), rays.size(), kAcceptAll, 0};
-        const auto start = std::chrono::steady_clock::now();
-        trace(batch);
-        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-        best = std::max(best, double(rays.size()) / time.count() * 1e-6);
-    }
-    return best;
+    std::vector<double> fastest((rays.size() + kBlock - 1) / kBlock, INFINITY);
+    for (int repeat = 0; repeat < kRepeats; ++repeat)
+        for (std::size_t b = 0; b < fastest.size(); ++b) {
+            const std::size_t first = b * kBlock;
+            TraceBatch batch{&view,
+                             rays.data() + first,
+                             hits.data() + first,
+                             found.data() + first,
+                             std::min(kBlock, rays.size() - first),
+                             kAcceptAll,
+                             0};
+            const double start = thread_seconds();
+            trace(batch);
+            fastest[b] = std::min(fastest[b], thread_seconds() - start);
+        }
+    double seconds = 0;
+    for (const double s : fastest)
+        seconds += s;
+    return double(rays.size()) / seconds * 1e-6;
 }
 
 }  // namespace
@@ -179,13 +205,18 @@ int main() {
         std::vector<std::uint8_t> found;
         const double primary = mrays_per_second(variant.closest, view, camera, hits, found);
         const std::vector<Ray> diffuse = diffuse_rays(scene, camera, hits, found);
-        const double bounce = mrays_per_second(variant.closest, view, diffuse, hits, found);
-        const double shadow = mrays_per_second(variant.any, view, diffuse, hits, found);
-        const double primary_any = mrays_per_second(variant.any, view, camera, hits, found);
+        const std::vector<Ray> scattered = shuffled(diffuse);
+        const auto measure = [&](void (*trace)(TraceBatch&), const std::vector<Ray>& rays) {
+            return mrays_per_second(trace, view, rays, hits, found);
+        };
+        fmt::print("{}    \"{}\": {{", separator, variant.name);
         fmt::print(
-            "{}    \"{}\": {{\"closest_primary\": {:.2f}, \"closest_diffuse\": {:.2f}, "
-            "\"any_primary\": {:.2f}, \"any_diffuse\": {:.2f}}}",
-            separator, variant.name, primary, bounce, primary_any, shadow);
+            "\"closest_primary\": {:.2f}, \"closest_diffuse\": {:.2f}, "
+            "\"closest_shuffled\": {:.2f}, ",
+            primary, measure(variant.closest, diffuse), measure(variant.closest, scattered));
+        fmt::print("\"any_primary\": {:.2f}, \"any_diffuse\": {:.2f}, \"any_shuffled\": {:.2f}}}",
+                   measure(variant.any, camera), measure(variant.any, diffuse),
+                   measure(variant.any, scattered));
         separator = ",\n";
     }
     fmt::print("\n  }}\n}}\n");

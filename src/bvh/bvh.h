@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "bvh/huge_pages.h"
 #include "bvh/view.h"
 #include "shading/structs.h"
 
@@ -39,9 +40,12 @@ struct BvhStats {
 
 // Owns what BvhView points to. The view lives as long as this does and is not moved.
 struct Bvh {
-    std::vector<BvhNode> nodes;
-    std::vector<BvhPacket> packets;
-    std::vector<BvhTriangleId> ids;
+    template <class T>
+    using Array = std::vector<T, HugePageAllocator<T>>;
+
+    Array<BvhNode> nodes;
+    Array<BvhPacket> packets;
+    Array<BvhTriangleId> ids;
     std::vector<BvhInstanceRef> instances;
     BvhBounds bounds{};
     std::uint32_t root = kBvhEmpty;
