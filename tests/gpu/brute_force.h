@@ -3,7 +3,8 @@
 //
 // Tables beside those of the stages: scene_vertices, scene_extras (beside the vertices),
 // scene_triangles; scene_offsets: a geometry's first vertex and triangle; scene_images: first
-// texel, width, height; scene_texels: rgba8, red in the lowest byte.
+// texel, width, height; scene_texels: every texel twice, as stored and decoded from sRGB;
+// world_triangles: what rays meet, in ascending order of ids.
 #include "shading/path/path.h"
 
 HM_FN uvec2 image_size(uint image) {
@@ -11,15 +12,9 @@ HM_FN uvec2 image_size(uint image) {
     return uvec2(i.y, i.z);
 }
 
-HM_FN float decode_channel(uint texel, uint shift, uint srgb) {
-    float encoded = float((texel >> shift) & 255u) * (1.0f / 255.0f);
-    return srgb != 0u && shift < 24u ? srgb_to_linear(encoded) : encoded;
-}
-
 HM_FN vec4 fetch_texel(uint image, uint x, uint y, uint srgb) {
-    uint texel = scene_texels[scene_images[image].x + y * scene_images[image].y + x];
-    return vec4(decode_channel(texel, 0u, srgb), decode_channel(texel, 8u, srgb),
-                decode_channel(texel, 16u, srgb), decode_channel(texel, 24u, srgb));
+    uvec3 i = scene_images[image];
+    return scene_texels[2u * (i.x + y * i.y + x) + srgb];
 }
 
 HM_FN uvec3 corners(uint geometry, uint primitive) {
@@ -47,31 +42,22 @@ struct RayHit {
     vec2 barycentrics;
 };
 
-// Moeller and Trumbore 1997, in world space. True if the hit is in (0, t_max).
-HM_FN bool intersect(uint instance, uint geometry, uint primitive, vec3 origin, vec3 direction,
-                     float t_max, HM_OUT(RayHit) hit) {
-    Triangle t;
-    load_triangle(geometry, primitive, t);
-    vec3 a = transform_point(instances[instance].object_to_world, t.a.position);
-    vec3 e1 = transform_point(instances[instance].object_to_world, t.b.position) - a;
-    vec3 e2 = transform_point(instances[instance].object_to_world, t.c.position) - a;
+// Moeller and Trumbore 1997. True if the hit is in (0, t_max).
+HM_FN bool intersect(HM_IN(WorldTriangle) t, vec3 origin, vec3 direction, float t_max,
+                     HM_OUT(RayHit) hit) {
+    vec3 e1 = t.p1 - t.p0;
+    vec3 e2 = t.p2 - t.p0;
     vec3 p = cross(direction, e2);
     float determinant = dot(e1, p);
-    hit.distance = -1.0f;
-    hit.barycentrics = vec2(0.0f);
-    hit.ids.instance = instance;
-    hit.ids.geometry = geometry - instances[instance].first_geometry;
-    hit.ids.primitive = primitive;
-    if (determinant == 0.0f) return false;
-    vec3 s = (origin - a) / determinant;
-    float u = dot(s, p);
+    vec3 s = (origin - t.p0) / determinant;
     vec3 q = cross(s, e1);
-    float v = dot(direction, q);
-    float distance = dot(e2, q);
-    if (u < 0.0f || v < 0.0f || u + v > 1.0f || distance <= 0.0f || distance >= t_max) return false;
-    hit.distance = distance;
-    hit.barycentrics = vec2(u, v);
-    return true;
+    hit.ids = t.ids;
+    hit.distance = dot(e2, q);
+    hit.barycentrics = vec2(dot(s, p), dot(direction, q));
+    // A ray in the triangle's plane has no finite numbers here, and fails these comparisons.
+    return hit.barycentrics.x >= 0.0f && hit.barycentrics.y >= 0.0f &&
+           hit.barycentrics.x + hit.barycentrics.y <= 1.0f && hit.distance > 0.0f &&
+           hit.distance < t_max;
 }
 
 // The closest accepted hit before t_max, or with `any` the first found. Ids ascend, and only a
@@ -80,18 +66,13 @@ HM_FN RayHit find_hit(vec3 origin, vec3 direction, float t_max, uint key, bool a
     RayHit best;
     best.distance = -1.0f;
     float limit = t_max;
-    for (uint instance = 0u; instance < instance_count; ++instance) {
-        uint first = instances[instance].first_geometry;
-        for (uint geometry = first; geometry < first + mesh_geometry_counts[instance]; ++geometry) {
-            for (uint i = 0u; i < geometries[geometry].triangle_count; ++i) {
-                RayHit hit;
-                if (!intersect(instance, geometry, i, origin, direction, limit, hit)) continue;
-                if (!any_hit_accepts(key, hit.ids, hit.barycentrics)) continue;
-                best = hit;
-                if (any) return best;
-                limit = hit.distance;
-            }
-        }
+    for (uint i = 0u; i < world_triangle_count; ++i) {
+        RayHit hit;
+        if (!intersect(world_triangles[i], origin, direction, limit, hit)) continue;
+        if (!any_hit_accepts(key, hit.ids, hit.barycentrics)) continue;
+        best = hit;
+        if (any) return best;
+        limit = hit.distance;
     }
     return best;
 }

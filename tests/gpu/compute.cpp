@@ -328,29 +328,45 @@ VkDescriptorSet make_set(VkDevice device, VkDescriptorPool pool, VkDescriptorSet
 
 }  // namespace
 
-void ComputeDevice::run(std::span<const std::uint32_t> spirv,
-                        std::span<const std::span<std::byte>> buffers, std::uint32_t groups_x) {
-    const VkDevice device = state_->device;
+struct ComputeShader::Parts {
+    std::uint32_t buffer_count;
+    SetLayout set_layout;
+    PipelineLayout layout;
+    Pipeline pipeline;
+
+    Parts(VkDevice device, std::span<const std::uint32_t> spirv, std::uint32_t count)
+        : buffer_count(count),
+          set_layout(make_set_layout(device, count)),
+          layout(make_pipeline_layout(device, set_layout)),
+          pipeline(make_pipeline(device, spirv, layout)) {}
+};
+
+ComputeShader::ComputeShader(const ComputeDevice& device, std::span<const std::uint32_t> spirv,
+                             std::uint32_t buffer_count)
+    : device_(device),
+      parts_(std::make_unique<Parts>(device.state_->device, spirv, buffer_count)) {}
+ComputeShader::~ComputeShader() = default;
+
+void ComputeShader::run(std::span<const std::span<std::byte>> buffers,
+                        std::uint32_t groups_x) const {
+    if (buffers.size() != parts_->buffer_count)
+        throw std::runtime_error("the shader was made for another number of buffers");
+    const ComputeDevice::State& state = *device_.state_;
     std::vector<Buffer> device_buffers;
     std::vector<Memory> memories;
     std::vector<void*> mapped;
     for (const std::span<std::byte> host : buffers) {
-        device_buffers.push_back(state_->make_buffer(host.size()));
-        memories.push_back(state_->bind_host_memory(device_buffers.back()));
+        device_buffers.push_back(state.make_buffer(host.size()));
+        memories.push_back(state.bind_host_memory(device_buffers.back()));
         void* address = nullptr;
-        check(vkMapMemory(device, memories.back(), 0, VK_WHOLE_SIZE, 0, &address), "vkMapMemory");
+        check(vkMapMemory(state.device, memories.back(), 0, VK_WHOLE_SIZE, 0, &address),
+              "vkMapMemory");
         mapped.push_back(address);
         std::memcpy(address, host.data(), host.size());
     }
-
-    const auto count = static_cast<std::uint32_t>(buffers.size());
-    const SetLayout set_layout = make_set_layout(device, count);
-    const PipelineLayout layout = make_pipeline_layout(device, set_layout);
-    const Pipeline pipeline = make_pipeline(device, spirv, layout);
-    const DescriptorPool pool = make_pool(device, count);
-    const VkDescriptorSet set = make_set(device, pool, set_layout, device_buffers);
-    state_->submit(pipeline, layout, set, groups_x);
-
+    const DescriptorPool pool = make_pool(state.device, parts_->buffer_count);
+    const VkDescriptorSet set = make_set(state.device, pool, parts_->set_layout, device_buffers);
+    state.submit(parts_->pipeline, parts_->layout, set, groups_x);
     for (std::size_t i = 0; i < buffers.size(); ++i)
         std::memcpy(buffers[i].data(), mapped[i], buffers[i].size());
 }

@@ -23,14 +23,30 @@ class ComputeDevice {
 
     const std::string& name() const;
 
-    // Runs `main` of the shader over groups_x work groups and waits. buffers[i] is copied into
-    // storage buffer (set 0, binding i) before, and back from it afterwards; none is empty.
-    void run(std::span<const std::uint32_t> spirv, std::span<const std::span<std::byte>> buffers,
-             std::uint32_t groups_x);
-
   private:
+    friend class ComputeShader;
     struct State;
     std::unique_ptr<State> state_;
+};
+
+// One shader's `main`, compiled for a device, which must outlive it. It sees buffer_count storage
+// buffers: set 0, bindings 0 and up.
+class ComputeShader {
+  public:
+    ComputeShader(const ComputeDevice& device, std::span<const std::uint32_t> spirv,
+                  std::uint32_t buffer_count);
+    ~ComputeShader();
+    ComputeShader(const ComputeShader&) = delete;
+    ComputeShader& operator=(const ComputeShader&) = delete;
+
+    // Runs groups_x work groups and waits. buffers[i], none of them empty, is copied into binding i
+    // before, and back from it afterwards.
+    void run(std::span<const std::span<std::byte>> buffers, std::uint32_t groups_x) const;
+
+  private:
+    struct Parts;
+    const ComputeDevice& device_;
+    std::unique_ptr<const Parts> parts_;
 };
 
 // The words of a SPIR-V file.

@@ -51,11 +51,12 @@ struct Results {
     std::vector<CaseResult> cpu{kCases};
 };
 
-void run_cases(test::ComputeDevice& device, Results& results) {
+void run_cases(const test::ComputeDevice& device, Results& results) {
     std::vector<vec3> directions = case_directions;
     const std::span<std::byte> buffers[] = {test::bytes_of(results.gpu),
                                             test::bytes_of(directions)};
-    device.run(test::read_spirv(HM_CASES_SPIRV), buffers, kCases / kGroupSize);
+    const test::ComputeShader shader(device, test::read_spirv(HM_CASES_SPIRV), 2);
+    shader.run(buffers, kCases / kGroupSize);
     for (std::uint32_t i = 0; i < kCases; ++i)
         run_case(i, results.cpu[i]);
 }
@@ -102,7 +103,7 @@ void compare_choice(const Results& results, std::size_t k) {
 #define HM_PARITY_TEST(topic) TEST(Parity, topic)
 
 HM_PARITY_TEST(HM_CASES_TOPIC) {
-    test::ComputeDevice device;
+    const test::ComputeDevice device;
     std::printf("on %s\n", device.name().c_str());
     Results results;
     run_cases(device, results);

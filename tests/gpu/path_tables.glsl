@@ -1,12 +1,13 @@
 // The tables of shading/path and brute_force.h as storage buffers; PathTracer::buffers (path_tracer.h)
 // lists them in this order. Bindings 0 and 1 are the shader's own.
+#include "gpu/world_triangle.h"
 #include "shading/shading.h"
 
 layout(scalar, binding = 2) readonly buffer Settings {
     RenderParams params;
     CameraData camera;
     EnvironmentData environment;
-    uint instance_count;
+    uint world_triangle_count;
 };
 layout(scalar, binding = 3) readonly buffer SobolDirections { uint sobol_directions[]; };
 layout(scalar, binding = 4) readonly buffer SobolNibbles { uvec4 sobol_nibbles[]; };
@@ -28,8 +29,8 @@ layout(scalar, binding = 19) readonly buffer SceneVertices { Vertex scene_vertic
 layout(scalar, binding = 20) readonly buffer SceneExtras { VertexExtra scene_extras[]; };
 layout(scalar, binding = 21) readonly buffer SceneTriangles { uvec3 scene_triangles[]; };
 layout(scalar, binding = 22) readonly buffer SceneOffsets { uvec2 scene_offsets[]; };
-layout(scalar, binding = 23) readonly buffer MeshGeometryCounts { uint mesh_geometry_counts[]; };
-layout(scalar, binding = 24) readonly buffer SceneImages { uvec3 scene_images[]; };
-layout(scalar, binding = 25) readonly buffer SceneTexels { uint scene_texels[]; };
+layout(scalar, binding = 23) readonly buffer SceneImages { uvec3 scene_images[]; };
+layout(scalar, binding = 24) readonly buffer SceneTexels { vec4 scene_texels[]; };
+layout(scalar, binding = 25) readonly buffer WorldTriangles { WorldTriangle world_triangles[]; };
 
 #include "gpu/brute_force.h"

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "gpu/world_triangle.h"
 #include "scene/flatten.h"
 #include "shading/shading.h"
 #include "shading/tables/tables.h"
@@ -19,7 +20,7 @@ struct PathTracer {
     RenderParams params{};
     CameraData camera{};
     EnvironmentData environment{};
-    uint instance_count = 0;
+    uint world_triangle_count = 0;
     std::vector<uint> sobol_directions;
     std::vector<uvec4> sobol_nibbles;
     std::vector<uint> blue_noise;
@@ -40,13 +41,13 @@ struct PathTracer {
     std::vector<VertexExtra> scene_extras;
     std::vector<uvec3> scene_triangles;
     std::vector<uvec2> scene_offsets;
-    std::vector<uint> mesh_geometry_counts;  // by instance
     std::vector<uvec3> scene_images;
-    std::vector<uint> scene_texels;
+    std::vector<vec4> scene_texels;
+    std::vector<WorldTriangle> world_triangles;
 
 #include "gpu/brute_force.h"
 
-    // Copies the scene's tables; `params` but its light ranges is the caller's.
+    // Copies the scene's tables. `params` is the caller's to fill, camera and light ranges too.
     explicit PathTracer(const FlatScene& scene);
 
     void choose_lights(const FlatScene& scene) {
@@ -59,9 +60,14 @@ struct PathTracer {
         RenderParams params;
         CameraData camera;
         EnvironmentData environment;
-        uint instance_count;
+        uint world_triangle_count;
     };
     std::vector<std::span<std::byte>> buffers(Settings& settings);
+
+  private:
+    void add_geometry(const GeometryView& view);
+    void add_world_triangles(const FlatScene& scene, uint instance);
+    void add_image(const ImageView& image);
 };
 
 // A small box with every feature that the stages have: textures of both filters and all wrap modes,
