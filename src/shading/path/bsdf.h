@@ -118,7 +118,7 @@ HM_FN vec3 eval_bsdf(HM_IN(Bsdf) b, vec3 wo, vec3 wi, HM_OUT(float) pdf) {
     float transmitted = 1.0f - (b.layer_f0 + (b.layer_f90 - b.layer_f0) * grazing);
     if (params.energy_compensation != 0u) {
         vec2 e_split = lookup_albedo(wi.z, b.roughness);
-        float loss = 1.0f - e_split.x - e_split.y;
+        float loss = 1.0f - (e_split.x + e_split.y);  // as in make_bsdf, to the bit
         transmitted = b.diffuse_scale * (1.0f - b.layer_f0 * e_split.x - b.layer_f90 * e_split.y -
                                          loss * b.layer_multiple);
         f = f + b.multiple * loss;

@@ -1,0 +1,51 @@
+// Structs that hold the tables which the files of shading/path read, so that tests call single
+// functions of the stages.
+#pragma once
+
+#include <cmath>
+
+#include "shading/shading.h"
+#include "shading/tables/tables.h"
+
+namespace hm::test {
+
+struct BsdfHost {
+    RenderParams params{};
+    const vec2* albedo_table = shading_tables().albedo_table.data();
+    const vec2* albedo_average = shading_tables().albedo_average.data();
+
+    explicit BsdfHost(bool energy_compensation) {
+        params.energy_compensation = energy_compensation ? 1 : 0;
+    }
+
+#include "shading/path/bsdf.h"
+};
+
+struct SamplerHost {
+    RenderParams params{};
+    const uint* sobol_directions = shading_tables().sobol_directions.data();
+    const uvec4* sobol_nibbles = shading_tables().sobol_nibbles.data();
+    const uint* blue_noise = shading_tables().blue_noise.data();
+
+    SamplerHost(uint kind, uint seed) {
+        params.sampler_kind = kind;
+        params.seed = seed;
+    }
+
+#include "shading/path/sampler.h"
+
+    uvec4 numbers(uint x, uint y, uint index, uint dimension) const {
+        auto* self = const_cast<SamplerHost*>(this);
+        SamplerState s;
+        self->begin_sample(x, y, index, s);
+        return self->sample_4d(s, dimension);
+    }
+};
+
+// The unit vector with this cosine to z and azimuth.
+inline vec3 direction(float cos_theta, float phi) {
+    float s = std::sqrt(std::max(0.0f, 1 - cos_theta * cos_theta));
+    return {s * std::cos(phi), s * std::sin(phi), cos_theta};
+}
+
+}  // namespace hm::test
