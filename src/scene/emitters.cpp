@@ -27,7 +27,7 @@ struct EmissionReader {
     }
 #include "shading/path/texture.h"
 
-    // Mean luminance over the triangle, times coverage. The grid is as fine as the texels under it,
+    // Mean luminance over the triangle. The grid is as fine as the texels under it,
     // up to a limit: an estimate is enough, it only steers sampling.
     float mean(const MaterialData& m, const GeometryView& view, std::uint32_t primitive) {
         bool unlit = (m.flags & kMaterialUnlit) != 0;
@@ -102,12 +102,10 @@ void add_emitters(FlatScene& flat) {
                 e.geometry = g - instance.first_geometry;
                 e.primitive = p;
                 float area = 0.5f * length(cross(e.p1 - e.p0, e.p2 - e.p0));
-                float power =
-                    area > 0 && std::isfinite(area)
-                        ? area * sides * std::numbers::pi_v<float> * reader.mean(m, view, p)
-                        : 0.0f;
+                float power = area * sides * std::numbers::pi_v<float> * reader.mean(m, view, p);
+                power = power > 0 ? std::min(power, kMaxLightPower) : 0.0f;
                 powers.push_back(power);
-                flat.emitter_power += power;
+                flat.emitter_power += double(power);
                 flat.emitters.push_back(e);
             }
         }

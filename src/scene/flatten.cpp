@@ -149,8 +149,8 @@ void add_lights(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4
         float extent = light.kind == kLightDirectional ? disk
                        : light.kind == kLightPoint     ? 4 * pi
                                                        : 2 * pi * (1 - cos_outer);
-        powers.push_back(luminance(d.color) * extent);
-        flat.punctual_power += powers.back();
+        powers.push_back(std::min(luminance(d.color) * extent, kMaxLightPower));
+        flat.punctual_power += double(powers.back());
         flat.lights.push_back(d);
     }
     flat.light_alias = build_alias_table(powers);
@@ -168,11 +168,11 @@ FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice ch
     add_instances(flat, scene, world, diagnostics);
     if (choice.punctual) add_lights(flat, scene, world);
     if (choice.emitters) add_emitters(flat);
-    float radius = std::max(flat.bounds.radius(), 1e-3f);
-    constexpr float pi = std::numbers::pi_v<float>;
-    flat.environment_power = flat.environment.data.intensity > 0
-                                 ? flat.environment.mean_radiance * 4 * pi * pi * radius * radius
-                                 : 0.0f;
+    const double radius = std::max(double(flat.bounds.radius()), 1e-3);
+    constexpr double pi = std::numbers::pi;
+    if (flat.environment.data.intensity > 0)
+        flat.environment_power =
+            double(flat.environment.mean_radiance) * 4 * pi * pi * radius * radius;
     return flat;
 }
 
@@ -181,8 +181,8 @@ void set_light_ranges(const FlatScene& scene, RenderParams& params) {
     params.emitter_count = std::uint32_t(scene.emitters.size());
     std::array<LightRange*, 3> ranges = {&params.environment_range, &params.punctual_range,
                                          &params.emitter_range};
-    std::array<double, 3> powers = {double(scene.environment_power), double(scene.punctual_power),
-                                    double(scene.emitter_power)};
+    std::array<double, 3> powers = {scene.environment_power, scene.punctual_power,
+                                    scene.emitter_power};
     // BSDF sampling never finds a punctual light, so those are sampled in every strategy.
     if (params.strategy == kStrategyBsdf) powers[0] = powers[2] = 0;
     double total = 0;

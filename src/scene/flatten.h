@@ -43,9 +43,9 @@ struct FlatScene {
     EnvironmentMap environment;
     Bounds bounds;  // world space
     // Flux into the scene, for sharing samples between kinds of light. 0: none of that kind.
-    float environment_power = 0;
-    float punctual_power = 0;
-    float emitter_power = 0;
+    double environment_power = 0;
+    double punctual_power = 0;
+    double emitter_power = 0;
 };
 
 // What of the scene's light is used.
@@ -53,6 +53,9 @@ struct LightChoice {
     bool punctual = true;
     bool emitters = true;  // off: emission is still seen, but never sampled as a light
 };
+
+// No single light counts as brighter than this (luminance times area): sums stay finite.
+inline constexpr float kMaxLightPower = 1e30f;
 
 // Warns about what can't be drawn (instances scaled to nothing).
 FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice choice,

@@ -71,7 +71,7 @@ HM_FN float atan2_over_2pi(float y, float x) {
 }
 
 // The power heuristic with exponent 2 for a sample drawn with pdf `own`, against `other`
-// (Veach 1997). A zero `own` gives 0; infinities of either are fine.
+// (Veach 1997). A zero `own` gives 0; `own` must be finite, `other` may be infinite.
 HM_FN float mis_weight(float own, float other) {
     if (!(own > 0.0f)) return 0.0f;
     float ratio = other / own;
