@@ -1,5 +1,6 @@
 #include "scene/flatten.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -129,8 +130,8 @@ void add_instances(FlatScene& flat, const Scene& scene, const std::vector<glm::m
 
 void add_lights(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4>& world) {
     constexpr float pi = std::numbers::pi_v<float>;
-    const float disk =
-        pi * std::max(flat.bounds.radius(), 1e-3f) * std::max(flat.bounds.radius(), 1e-3f);
+    const float radius = std::clamp(flat.bounds.radius(), 1e-3f, 1e15f);
+    const float disk = pi * radius * radius;
     std::vector<float> powers;
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         if (scene.nodes[i].light == kUnset) continue;
@@ -168,7 +169,7 @@ FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice ch
     add_instances(flat, scene, world, diagnostics);
     if (choice.punctual) add_lights(flat, scene, world);
     if (choice.emitters) add_emitters(flat);
-    const double radius = std::max(double(flat.bounds.radius()), 1e-3);
+    const double radius = std::clamp(double(flat.bounds.radius()), 1e-3, 1e15);
     constexpr double pi = std::numbers::pi;
     if (flat.environment.data.intensity > 0)
         flat.environment_power =
