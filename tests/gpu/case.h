@@ -24,6 +24,22 @@
     };
 #define HM_CASES_END HM_NAMESPACE_END
 
+// The same for a topic that calls the stages, which see their tables: in C++ it is the body of a
+// PathTracer (path_tracer.h).
+#ifdef __cplusplus
+#define HM_STAGE_CASES_BEGIN(value_count, choice_count) \
+    HM_CASES_BEGIN(value_count, choice_count)           \
+    struct StageCases : test::PathTracer {              \
+        using PathTracer::PathTracer;
+#define HM_STAGE_CASES_END \
+    }                      \
+    ;                      \
+    HM_CASES_END
+#else
+#define HM_STAGE_CASES_BEGIN(value_count, choice_count) HM_CASES_BEGIN(value_count, choice_count)
+#define HM_STAGE_CASES_END HM_CASES_END
+#endif
+
 #ifdef __cplusplus
 #include <vector>
 #define HM_PRECISE

@@ -1,11 +1,13 @@
 // Runs one topic's cases as GLSL on a Vulkan device and as C++, and compares. Built once per topic:
-// HM_CASES_TOPIC is its name, HM_CASES_FILE its header, HM_CASES_SPIRV the compiled parity.comp.
+// HM_CASES_TOPIC is its name, HM_CASES_FILE its header, HM_CASES_SPIRV the compiled parity.comp;
+// HM_CASES_OF_STAGES is there if the topic needs the stages' tables.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,15 +53,35 @@ struct Results {
     std::vector<CaseResult> cpu{kCases};
 };
 
-void run_cases(const test::ComputeDevice& device, Results& results) {
+// Fills results.gpu; `tables` follow the two buffers that every topic has.
+void run_shader(const test::ComputeDevice& device, std::span<const std::span<std::byte>> tables,
+                Results& results) {
     std::vector<vec3> directions = case_directions;
-    const std::span<std::byte> buffers[] = {test::bytes_of(results.gpu),
-                                            test::bytes_of(directions)};
-    const test::ComputeShader shader(device, test::read_spirv(HM_CASES_SPIRV), 2);
+    std::vector<std::span<std::byte>> buffers = {test::bytes_of(results.gpu),
+                                                 test::bytes_of(directions)};
+    buffers.insert(buffers.end(), tables.begin(), tables.end());
+    const test::ComputeShader shader(device, test::read_spirv(HM_CASES_SPIRV),
+                                     static_cast<std::uint32_t>(buffers.size()));
     shader.run(buffers, kCases / kGroupSize);
+}
+
+#ifdef HM_CASES_OF_STAGES
+void run_cases(const test::ComputeDevice& device, Results& results) {
+    const test::TestScene scene;
+    StageCases cases(scene.flat);
+    cases.params = scene.params();
+    test::PathTracer::Settings settings;
+    run_shader(device, cases.buffers(settings), results);
+    for (std::uint32_t i = 0; i < kCases; ++i)
+        cases.run_case(i, results.cpu[i]);
+}
+#else
+void run_cases(const test::ComputeDevice& device, Results& results) {
+    run_shader(device, {}, results);
     for (std::uint32_t i = 0; i < kCases; ++i)
         run_case(i, results.cpu[i]);
 }
+#endif
 
 void compare_value(const Results& results, std::size_t k) {
     std::vector<float> differences(kCases);

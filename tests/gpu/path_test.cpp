@@ -105,12 +105,8 @@ const Variant kVariants[] = {
 void compare(const TestScene& scene, const ComputeShader& shader, const Variant& variant) {
     PathTracer tracer(scene.flat);
     tracer.camera = scene.camera;
+    tracer.params = scene.params();
     tracer.params.width = tracer.params.height = kSize;
-    tracer.params.seed = 5;
-    tracer.params.sampler_kind = kSamplerSobolOwen;
-    tracer.params.max_bounces = 6;
-    tracer.params.energy_compensation = 1;
-    tracer.params.filter_width = 2;
     variant.configure(tracer);
     set_light_ranges(scene.flat, tracer.params);
     std::printf("%s\n", variant.name);

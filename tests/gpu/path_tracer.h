@@ -79,6 +79,10 @@ struct TestScene {
     CameraData camera{};
 
     TestScene();
+
+    // Sobol with Owen scrambling, six bounces, MIS, energy compensation, a Gaussian filter; light
+    // ranges for that; no picture size.
+    RenderParams params() const;
 };
 
 }  // namespace hm::test

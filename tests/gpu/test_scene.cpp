@@ -216,4 +216,15 @@ TestScene::TestScene() {
     camera = camera_look_at({0.4f, 0.2f, 5.5f}, {0, -0.1f, 0}, {0, 1, 0}, 0.75f, 1);
 }
 
+RenderParams TestScene::params() const {
+    RenderParams params{};
+    params.seed = 5;
+    params.sampler_kind = kSamplerSobolOwen;
+    params.max_bounces = 6;
+    params.energy_compensation = 1;
+    params.filter_width = 2;
+    set_light_ranges(flat, params);
+    return params;
+}
+
 }  // namespace hm::test
