@@ -1,0 +1,55 @@
+// The light-sampling part of the stages over a flat scene, without a ray tracer.
+#pragma once
+
+#include "scene/flatten.h"
+#include "shading/shading.h"
+
+namespace hm::test {
+
+struct LightHost {
+    const FlatScene& flat;
+    RenderParams params{};
+    const MaterialData* materials = flat.materials.data();
+    const TextureUse* texture_uses = flat.texture_uses.data();
+    const GeometryData* geometries = flat.geometries.data();
+    const InstanceData* instances = flat.instances.data();
+    const LightData* lights = flat.lights.data();
+    const AliasEntry* light_alias = flat.light_alias.data();
+    const EmitterTriangle* emitters = flat.emitters.data();
+    const AliasEntry* emitter_alias = flat.emitter_alias.data();
+    const vec4* environment_texels = flat.environment.texels.data();
+    const AliasEntry* environment_alias = flat.environment.alias.data();
+    EnvironmentData environment = flat.environment.data;
+
+    explicit LightHost(const FlatScene& scene, uint strategy = kStrategyMis) : flat(scene) {
+        params.strategy = strategy;
+        set_light_ranges(scene, params);
+    }
+
+    uvec2 image_size(uint image) const {
+        return {flat.images[image].width, flat.images[image].height};
+    }
+    vec4 fetch_texel(uint image, uint x, uint y, uint is_srgb) const {
+        return fetch_image_texel(flat.images[image], x, y, is_srgb != 0, srgb_table());
+    }
+    void load_triangle(uint geometry, uint primitive, Triangle& t) const {
+        const GeometryView& view = flat.geometry_views[geometry];
+        uvec3 i = view.triangles[primitive];
+        t = {view.vertices[i.x], view.vertices[i.y], view.vertices[i.z]};
+    }
+    void load_triangle_extras(uint geometry, uint primitive, TriangleExtras& e) const {
+        const GeometryView& view = flat.geometry_views[geometry];
+        uvec3 i = view.triangles[primitive];
+        e = {view.extras[i.x], view.extras[i.y], view.extras[i.z]};
+    }
+
+// clang-format off
+#include "shading/path/texture.h"
+#include "shading/path/surface.h"
+#include "shading/path/environment.h"
+#include "shading/path/emission.h"
+#include "shading/path/light_sampling.h"
+    // clang-format on
+};
+
+}  // namespace hm::test
