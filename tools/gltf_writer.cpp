@@ -40,6 +40,11 @@ std::string json(glm::vec3 v) {
     return fmt::format("[{},{},{}]", v.x, v.y, v.z);
 }
 
+// Six digits: nodes are many, and a micrometre in a metre is enough for them.
+std::string short_json(glm::vec3 v) {
+    return fmt::format("[{:.6g},{:.6g},{:.6g}]", v.x, v.y, v.z);
+}
+
 Result<std::vector<std::byte>> encode_png(const std::string& name, const Picture& picture) {
     const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(SPNG_CTX_ENCODER),
                                                                  spng_ctx_free);
@@ -178,12 +183,12 @@ void GltfWriter::add_node(const GltfNode& node) {
         text +=
             fmt::format(",\"extensions\":{{\"KHR_lights_punctual\":{{\"light\":{}}}}}", node.light);
     if (node.translation != glm::vec3(0))
-        text += fmt::format(",\"translation\":{}", json(node.translation));
+        text += fmt::format(",\"translation\":{}", short_json(node.translation));
     if (node.rotation != glm::quat(1, 0, 0, 0)) {
         const glm::quat& q = node.rotation;
-        text += fmt::format(",\"rotation\":[{},{},{},{}]", q.x, q.y, q.z, q.w);
+        text += fmt::format(",\"rotation\":[{:.6g},{:.6g},{:.6g},{:.6g}]", q.x, q.y, q.z, q.w);
     }
-    if (node.scale != glm::vec3(1)) text += fmt::format(",\"scale\":{}", json(node.scale));
+    if (node.scale != glm::vec3(1)) text += fmt::format(",\"scale\":{}", short_json(node.scale));
     nodes_.push_back(text + "}");
 }
 

@@ -55,7 +55,7 @@ HeroMaterials add_hero_materials(GltfWriter& writer, const HeroTextures& t, int 
 
     m.gold = plain("gold", {1.0f, 0.766f, 0.336f}, 1, 0.24f);
     m.copper =
-        plain("copper", {0.955f, 0.60f, 0.49f}, 1, 0.17f, with_normals(t.hammered_normal, 0.8f));
+        plain("copper", {0.93f, 0.50f, 0.34f}, 1, 0.19f, with_normals(t.hammered_normal, 0.8f));
     m.brass = plain("brass", {0.90f, 0.74f, 0.40f}, 1, 0.22f);
     m.celadon = plain("celadon", {0.40f, 0.56f, 0.47f}, 0, 0.07f);
     m.lacquer = plain("lacquer", {0.30f, 0.026f, 0.018f}, 0, 0.16f);

@@ -16,24 +16,24 @@ class HeroBuilder {
     void add_shrine();      // a chorten: steps, dome, gilded spire
     void add_flags();       // two lines of prayer flags from the spire
     void add_still_life();  // table, bowl, ewer, vase, butter lamps, beads, scarf
-    void add_lantern(glm::vec3 position, float scale);
-    void add_landscape();  // terrain, mist, trees
+    void add_lanterns();    // brass and glass, a candle in each
+    void add_landscape();   // terrain, mist, trees
 
   private:
     int single_mesh(const std::string& name, const TriangleMesh& mesh, int material);
     void place(const std::string& name, int mesh, glm::vec3 position, float yaw = 0,
                glm::vec3 scale = glm::vec3(1));
+    int make_lantern_mesh();
     void add_parapet();
     void add_pebbles();
     void add_grass();
     void add_flag_line(glm::vec3 from, glm::vec3 to, float sag, int count);
     void add_table();
     void add_branch();
-    void add_butter_lamp(glm::vec3 position, float yaw);
+    int make_butter_lamp_mesh();
 
     GltfWriter& writer_;
     const HeroMaterials& materials_;
-    int butter_lamp_ = -1, flame_ = -1;
 };
 
 }  // namespace hm

@@ -42,7 +42,7 @@ TriangleMesh make_dome() {
                                               {0.28f, 0.69f},
                                               {0.14f, 0.72f},
                                               {0, 0.725f}}};
-    return make_revolved(smooth_profile(knots, 8), 96, 3, 0.9f);
+    return make_revolved(smooth_profile(knots, 6), 72, 3, 0.9f);
 }
 
 // Thirteen rings that narrow to a parasol, a vase and a flame's tip.
@@ -71,7 +71,7 @@ TriangleMesh make_spire() {
                                             {0, 1.0f}}};
     const std::vector<glm::vec2> smooth = smooth_profile(top, 5);
     profile.insert(profile.end(), smooth.begin(), smooth.end());
-    return make_revolved(profile, 64, 1, 1);
+    return make_revolved(profile, 48, 1, 1);
 }
 
 // A flag of 0.30 x 0.27 m that hangs from the origin along x; the wind's phase makes it one of a
@@ -117,7 +117,7 @@ void HeroBuilder::add_shrine() {
                                               {0.39f, 0.05f},
                                               {0.38f, 0.03f},
                                               {0.38f, 0.01f}}};
-    append(gold, make_revolved(girdle, 96, 1, 1), lifted(1.395f));
+    append(gold, make_revolved(girdle, 72, 1, 1), lifted(1.395f));
     append(gold, make_spire(), lifted(2.24f));
 
     const std::array<GltfPrimitive, 4> parts = {
@@ -169,7 +169,13 @@ void HeroBuilder::add_flag_line(glm::vec3 from, glm::vec3 to, float sag, int cou
     }
 }
 
-void HeroBuilder::add_lantern(glm::vec3 position, float scale) {
+void HeroBuilder::add_lanterns() {
+    const int lantern = make_lantern_mesh();
+    place("lantern", lantern, {0.98f, 0, 0.15f}, 0.3f, glm::vec3(1.15f));
+    place("lantern", lantern, {-2.5f, 0.592f, -2.44f}, 1.2f);
+}
+
+int HeroBuilder::make_lantern_mesh() {
     const std::array<glm::vec2, 9> foot = {{{0, 0},
                                             {0.11f, 0},
                                             {0.11f, 0},
@@ -225,7 +231,7 @@ void HeroBuilder::add_lantern(glm::vec3 position, float scale) {
          writer_.add_primitive(make_revolved(candle, 24, 1, 1), materials_.wax),
          writer_.add_primitive(make_revolved(smooth_profile(flame, 3), 12, 1, 1),
                                materials_.flame)}};
-    place("lantern", writer_.add_mesh("lantern", parts), position, 0.3f, glm::vec3(scale));
+    return writer_.add_mesh("lantern", parts);
 }
 
 }  // namespace hm

@@ -11,15 +11,15 @@
 namespace hm {
 namespace {
 
-constexpr std::uint32_t kWidth = 512;
-constexpr std::uint32_t kHeight = 256;
+constexpr std::uint32_t kWidth = 1024;
+constexpr std::uint32_t kHeight = 512;
 constexpr float kPi = std::numbers::pi_v<float>;
 
 // Blue overhead, pale at the horizon, warm towards the sun, rose opposite it.
 glm::vec3 clear_sky(glm::vec3 d) {
     const float up = std::max(d.y, 0.0f), to_sun = glm::dot(d, hero_sun_direction());
-    const float haze = std::exp(-5.5f * up);
-    const glm::vec3 zenith(0.10f, 0.19f, 0.40f), pale(0.50f, 0.56f, 0.66f);
+    const float haze = std::exp(-8.0f * up);
+    const glm::vec3 zenith(0.085f, 0.18f, 0.42f), pale(0.36f, 0.50f, 0.72f);
     glm::vec3 color = glm::mix(zenith, pale, std::exp(-2.6f * up));
     const float sunward = 0.5f + 0.5f * to_sun;
     const glm::vec3 rose(0.60f, 0.47f, 0.49f), gold(1.25f, 0.80f, 0.42f);
@@ -53,7 +53,7 @@ glm::vec3 radiance(glm::vec3 d) {
 }  // namespace
 
 glm::vec3 hero_sun_direction() {
-    return glm::normalize(glm::vec3(-0.86f, 0.36f, 0.26f));
+    return glm::normalize(glm::vec3(-0.90f, 0.31f, 0.17f));
 }
 
 Result<void> write_hero_sky(const std::filesystem::path& path) {

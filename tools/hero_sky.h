@@ -13,7 +13,7 @@ namespace hm {
 // Towards the sun, unit; low in the left.
 glm::vec3 hero_sun_direction();
 
-// Equirectangular, 512 x 256: u = 0.5 + atan2(z, x) / 2 pi, v = acos(y) / pi.
+// Equirectangular, 1024 x 512: u = 0.5 + atan2(z, x) / 2 pi, v = acos(y) / pi.
 Result<void> write_hero_sky(const std::filesystem::path& path);
 
 }  // namespace hm

@@ -11,7 +11,7 @@
 namespace hm {
 namespace {
 
-constexpr glm::vec3 kTableAt(-1.02f, 0, 2.05f);
+constexpr glm::vec3 kTableAt(-1.12f, 0, 1.75f);
 constexpr float kTableYaw = 0.20f;
 constexpr float kTableTop = 0.62f;
 constexpr glm::vec2 kTableHalf(0.56f, 0.29f);
@@ -24,7 +24,7 @@ glm::vec3 on_table(float x, float z, float y = 0) {
 template <std::size_t N>
 TriangleMesh turned(const std::array<glm::vec2, N>& knots, float u_repeats = 1,
                     float v_length = 1) {
-    return make_revolved(smooth_profile(knots, 8), 96, u_repeats, v_length);
+    return make_revolved(smooth_profile(knots, 6), 72, u_repeats, v_length);
 }
 
 TriangleMesh make_bowl() {
@@ -64,11 +64,11 @@ TriangleMesh make_ewer() {
                                    3, 0.3f);
     const auto curve = [&](glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, float radius) {
         std::vector<glm::vec3> path;
-        for (int i = 0; i <= 20; ++i) {
-            const float t = float(i) / 20, s = 1 - t;
+        for (int i = 0; i <= 14; ++i) {
+            const float t = float(i) / 14, s = 1 - t;
             path.push_back(s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d);
         }
-        append(mesh, make_tube(path, radius, 16), glm::mat4(1));
+        append(mesh, make_tube(path, radius, 14), glm::mat4(1));
     };
     curve({0.052f, 0.335f, 0}, {0.17f, 0.40f, 0}, {0.20f, 0.22f, 0}, {0.122f, 0.12f, 0}, 0.010f);
     curve({-0.10f, 0.11f, 0}, {-0.20f, 0.12f, 0}, {-0.15f, 0.29f, 0}, {-0.225f, 0.345f, 0}, 0.015f);
@@ -163,8 +163,11 @@ void HeroBuilder::add_still_life() {
     const std::array<glm::vec3, 2> mallet = {on_table(-0.02f, 0.02f, 0.066f),
                                              on_table(0.21f, 0.10f, 0.185f)};
     writer_.add_object("mallet", make_tube(mallet, 0.011f, 20), materials_.bead);
-    for (int i = 0; i < 3; ++i)
-        add_butter_lamp(on_table(0.17f + 0.115f * float(i), 0.19f - 0.02f * float(i)), float(i));
+    const int butter_lamp = make_butter_lamp_mesh();
+    for (int i = 0; i < 3; ++i) {
+        const glm::vec3 at = on_table(0.17f + 0.115f * float(i), 0.19f - 0.02f * float(i));
+        place("butter lamp", butter_lamp, at, float(i));
+    }
     place("scarf", single_mesh("scarf", make_scarf(), materials_.scarf),
           on_table(-0.17f, kTableHalf.y), kTableYaw);
 
@@ -246,40 +249,36 @@ void HeroBuilder::add_branch() {
     }
 }
 
-void HeroBuilder::add_butter_lamp(glm::vec3 position, float yaw) {
-    if (butter_lamp_ < 0) {
-        const TriangleMesh goblet = turned<15>({{{0, 0},
-                                                 {0.034f, 0},
-                                                 {0.034f, 0},
-                                                 {0.036f, 0.006f},
-                                                 {0.014f, 0.018f},
-                                                 {0.010f, 0.040f},
-                                                 {0.016f, 0.052f},
-                                                 {0.034f, 0.066f},
-                                                 {0.043f, 0.092f},
-                                                 {0.046f, 0.104f},
-                                                 {0.046f, 0.104f},
-                                                 {0.043f, 0.105f},
-                                                 {0.040f, 0.097f},
-                                                 {0.040f, 0.097f},
-                                                 {0.039f, 0.094f}}});
-        const TriangleMesh butter = turned<3>({{{0.0395f, 0.094f}, {0.015f, 0.095f}, {0, 0.096f}}});
-        const TriangleMesh flame =
-            make_revolved(smooth_profile(std::array<glm::vec2, 6>{{{0, 0.100f},
-                                                                   {0.006f, 0.106f},
-                                                                   {0.008f, 0.116f},
-                                                                   {0.005f, 0.134f},
-                                                                   {0.0015f, 0.150f},
-                                                                   {0, 0.156f}}},
-                                         3),
-                          12, 1, 1);
-        const std::array<GltfPrimitive, 3> parts = {
-            {writer_.add_primitive(goblet, materials_.brass),
-             writer_.add_primitive(butter, materials_.wax),
-             writer_.add_primitive(flame, materials_.flame)}};
-        butter_lamp_ = writer_.add_mesh("butter lamp", parts);
-    }
-    place("butter lamp", butter_lamp_, position, yaw);
+int HeroBuilder::make_butter_lamp_mesh() {
+    const TriangleMesh goblet = turned<15>({{{0, 0},
+                                             {0.034f, 0},
+                                             {0.034f, 0},
+                                             {0.036f, 0.006f},
+                                             {0.014f, 0.018f},
+                                             {0.010f, 0.040f},
+                                             {0.016f, 0.052f},
+                                             {0.034f, 0.066f},
+                                             {0.043f, 0.092f},
+                                             {0.046f, 0.104f},
+                                             {0.046f, 0.104f},
+                                             {0.043f, 0.105f},
+                                             {0.040f, 0.097f},
+                                             {0.040f, 0.097f},
+                                             {0.039f, 0.094f}}});
+    const TriangleMesh butter = turned<3>({{{0.0395f, 0.094f}, {0.015f, 0.095f}, {0, 0.096f}}});
+    const TriangleMesh flame =
+        make_revolved(smooth_profile(std::array<glm::vec2, 6>{{{0, 0.100f},
+                                                               {0.006f, 0.106f},
+                                                               {0.008f, 0.116f},
+                                                               {0.005f, 0.134f},
+                                                               {0.0015f, 0.150f},
+                                                               {0, 0.156f}}},
+                                     3),
+                      12, 1, 1);
+    const std::array<GltfPrimitive, 3> parts = {{writer_.add_primitive(goblet, materials_.brass),
+                                                 writer_.add_primitive(butter, materials_.wax),
+                                                 writer_.add_primitive(flame, materials_.flame)}};
+    return writer_.add_mesh("butter lamp", parts);
 }
 
 }  // namespace hm

@@ -71,15 +71,17 @@ TriangleMesh make_conifer() {
     return tree;
 }
 
-// A curtain of vapour around the terrace.
+// An upright sheet of vapour across the valley. It faces us straight, so that the sun shines on its
+// front everywhere; its normals lean up and sunwards, as a volume would catch the light.
 TriangleMesh make_mist(float distance, float low, float high) {
-    TriangleMesh mesh = make_surface(24, 1, [=](float s, float t) {
-        const float azimuth = 0.66f * (2 * s - 1);
+    const float half_width = 0.8f * distance;
+    TriangleMesh mesh = make_surface(1, 1, [=](float s, float t) {
         const float u = 1.5f * s + 0.37f * distance / 300;
-        return SurfacePoint{
-            {distance * std::sin(azimuth), glm::mix(low, high, t), -distance * std::cos(azimuth)},
-            {u, 0.995f - 0.99f * t}};
+        return SurfacePoint{{half_width * (2 * s - 1), glm::mix(low, high, t), -distance},
+                            {u, 0.995f - 0.99f * t}};
     });
+    for (glm::vec3& normal : mesh.normals)
+        normal = glm::normalize(glm::vec3(-0.7f, 1.2f, 1));
     return mesh;
 }
 
@@ -177,12 +179,12 @@ void HeroBuilder::add_grass() {
 
 void HeroBuilder::add_landscape() {
     writer_.add_object("terrain", make_terrain(), materials_.terrain);
-    writer_.add_object("near mist", make_mist(330, -190, -28), materials_.mist);
-    writer_.add_object("valley mist", make_mist(720, -190, 5), materials_.mist);
-    writer_.add_object("far mist", make_mist(1150, -160, 110), materials_.mist);
+    writer_.add_object("near mist", make_mist(360, -190, -32), materials_.mist);
+    writer_.add_object("valley mist", make_mist(620, -190, -12), materials_.mist);
+    writer_.add_object("far mist", make_mist(1080, -170, 75), materials_.mist);
     const int tree = single_mesh("conifer", make_conifer(), materials_.conifer);
     std::uint32_t i = 0;
-    for (const glm::vec4& at : place_trees(420))
+    for (const glm::vec4& at : place_trees(620))
         place("conifer", tree, glm::vec3(at), 6.28f * hash_unit(i++, 0, 690),
               glm::vec3(at.w, at.w * 1.15f, at.w));
 }

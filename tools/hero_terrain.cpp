@@ -24,27 +24,29 @@ struct Peak {
 
 // One dominant pyramid left of the middle, its shoulder, and a lower range on either side.
 constexpr std::array kPeaks = {
-    Peak{{-330, -1980}, 690, 920, 0.4f}, Peak{{-30, -2120}, 500, 640, 1.7f},
-    Peak{{-960, -1900}, 450, 640, 2.6f}, Peak{{420, -2050}, 520, 620, 0.9f},
-    Peak{{860, -1950}, 600, 760, 2.2f},  Peak{{170, -2200}, 430, 520, 3.0f},
+    Peak{{-370, -1960}, 735, 1250, 0.4f}, Peak{{40, -2150}, 520, 820, 1.7f},
+    Peak{{-1050, -1850}, 500, 800, 2.6f}, Peak{{430, -2050}, 560, 800, 0.9f},
+    Peak{{900, -1900}, 660, 950, 2.2f},
 };
 
 float range_height(glm::vec2 xz) {
-    const glm::vec2 warp(fbm(xz / 420.0f, 4, 0, 200), fbm(xz / 420.0f, 4, 0, 210));
-    const glm::vec2 p = xz + 90.0f * warp;
+    const glm::vec2 warp(fbm(xz / 500.0f, 4, 0, 200), fbm(xz / 500.0f, 4, 0, 210));
+    const glm::vec2 p = xz + 110.0f * warp;
     float envelope = 0;
     for (const Peak& peak : kPeaks) {
         const glm::vec2 d = p - peak.xz;
-        const float angle = std::atan2(d.y, d.x);
-        const float aretes = 1 + 0.20f * std::sin(4 * angle + peak.ridges) +
-                             0.08f * std::sin(9 * angle + 2 * peak.ridges);
-        const float reach = std::max(0.0f, 1 - glm::length(d) / (peak.radius * aretes));
-        envelope = std::max(envelope, peak.height * std::pow(reach, 1.12f));
+        const float angle = std::atan2(d.y, d.x), distance = glm::length(d) / peak.radius;
+        // Aretes: the outline of a contour is a star, rounder towards the foot.
+        const float star = 1 + (0.16f * std::sin(3 * angle + peak.ridges) +
+                                0.07f * std::sin(7 * angle + 2 * peak.ridges)) *
+                                   std::exp(-2 * distance);
+        const float reach = std::max(0.0f, 1 - distance / star);
+        envelope =
+            std::max(envelope, peak.height * (0.55f * reach + 0.45f * reach * reach * reach));
     }
-    const float crests = ridged(p / 330.0f, 8, 220);
-    const float flutes = ridged(xz / 70.0f, 5, 240);
-    return envelope * (0.70f + 0.42f * crests) + (60 + 0.10f * envelope) * (crests - 0.4f) +
-           0.055f * envelope * (flutes - 0.4f);
+    const float crests = ridged(p / 380.0f, 8, 220), flutes = ridged(p / 95.0f, 5, 240);
+    return envelope * (0.86f + 0.30f * (crests - 0.4f)) + 130 * (crests - 0.35f) +
+           0.035f * envelope * (flutes - 0.4f);
 }
 
 // Forested spurs that frame the valley.
@@ -55,7 +57,7 @@ float spur_height(float azimuth, float distance, glm::vec2 xz) {
         return top * std::exp(-a * a - d * d);
     };
     const float height = spur(-0.62f, 0.26f, 420, 230, 215) + spur(0.50f, 0.22f, 560, 260, 205) +
-                         spur(0.05f, 0.16f, 860, 200, 105);
+                         spur(0.04f, 0.14f, 800, 160, 95);
     return height * (0.85f + 0.35f * ridged(xz / 160.0f, 6, 260));
 }
 
@@ -83,14 +85,14 @@ glm::vec3 ground_color(glm::vec2 xz) {
     const float strata = fbm({(xz.x + xz.y) / 300.0f, h / 14.0f}, 4, 0, 285);
     glm::vec3 rock = glm::mix(glm::vec3(0.115f, 0.10f, 0.095f), glm::vec3(0.25f, 0.205f, 0.175f),
                               smooth_step(-0.4f, 0.4f, strata + 0.5f * mottle));
-    glm::vec3 low = glm::mix(glm::vec3(0.030f, 0.045f, 0.020f), glm::vec3(0.14f, 0.115f, 0.05f),
+    glm::vec3 low = glm::mix(glm::vec3(0.022f, 0.038f, 0.020f), glm::vec3(0.09f, 0.085f, 0.035f),
                              smooth_step(-0.1f, 0.35f, mottle + 0.3f * n.y - 0.1f));
-    const float steep = smooth_step(0.80f, 0.62f, n.y + 0.12f * mottle);
+    const float steep = smooth_step(0.66f, 0.48f, n.y + 0.12f * mottle);
     low = glm::mix(low, rock, steep);
-    const float above_trees = smooth_step(20, 95, h + 40 * mottle);
+    const float above_trees = smooth_step(40, 130, h + 50 * mottle);
     glm::vec3 color = glm::mix(low, rock, above_trees);
-    const float cover = smooth_step(70, 175, h + 70 * mottle);
-    const float holds = smooth_step(0.40f, 0.56f, n.y + 0.16f * fbm(xz / 25.0f, 5, 0, 290));
+    const float cover = smooth_step(30, 150, h + 70 * mottle);
+    const float holds = smooth_step(0.30f, 0.50f, n.y + 0.16f * fbm(xz / 25.0f, 5, 0, 290));
     color = glm::mix(color, glm::vec3(0.87f, 0.88f, 0.91f), cover * holds);
     // The air between: far ground is paler and bluer.
     const float air = 1 - std::exp(-distance / 9000);
@@ -108,7 +110,7 @@ float terrain_height(glm::vec2 xz) {
 }
 
 TriangleMesh make_terrain() {
-    constexpr int kColumns = 380, kRows = 168;
+    constexpr int kColumns = 320, kRows = 150;
     TriangleMesh mesh = make_surface(kColumns, kRows, [](float s, float t) {
         const glm::vec2 xz = position_at(s, t);
         return SurfacePoint{{xz.x, terrain_height(xz), xz.y}, {s, 1 - t}};
@@ -121,7 +123,7 @@ TriangleMesh make_terrain() {
 }
 
 Picture paint_terrain() {
-    Picture picture{1024, 640, 3, {}};
+    Picture picture{1024, 512, 3, {}};
     for (std::uint32_t y = 0; y < picture.height; ++y)
         for (std::uint32_t x = 0; x < picture.width; ++x) {
             const float s = (float(x) + 0.5f) / float(picture.width);
@@ -144,7 +146,7 @@ std::vector<glm::vec4> place_trees(int count) {
         const glm::vec2 xz(distance * std::sin(azimuth), -distance * std::cos(azimuth));
         const float h = terrain_height(xz);
         const float grove = fbm(xz / 60.0f, 3, 0, 311);
-        if (h < -120 || h > 60 || grove < -0.02f || normal_at(xz, 4).y < 0.6f) continue;
+        if (h < -120 || h > 105 || grove < -0.10f || normal_at(xz, 4).y < 0.6f) continue;
         trees.push_back({xz.x, h - 0.4f, xz.y, 0.7f + 0.7f * hash_unit(i, 2, 310)});
     }
     return trees;

@@ -226,11 +226,11 @@ glm::vec4 scarf_color(float u, float v) {
 }
 
 glm::vec4 mist_color(float u, float v) {
-    const float up = 1 - v;
-    const float wisps = fbm({u * 8, v * 3}, 6, 8, 180);
-    const float body =
-        smooth_step(0.0f, 0.18f, up) * (1 - smooth_step(0.15f, 0.95f, up - 0.45f * wisps));
-    return glm::vec4(0.86f, 0.86f, 0.88f, body * std::clamp(0.62f + 0.5f * wisps, 0.0f, 1.0f));
+    const float up = 1 - v, wisps = fbm({u * 6, v * 2}, 6, 6, 180);
+    const float rises = smooth_step(0.0f, 0.12f, up);
+    const float thins = 1 - smooth_step(0.25f, 1.0f, up - 0.28f * wisps);
+    const float alpha = rises * thins * std::clamp(0.60f + 0.28f * wisps, 0.0f, 1.0f);
+    return glm::vec4(0.84f, 0.87f, 0.92f, alpha);
 }
 
 }  // namespace
@@ -242,10 +242,10 @@ Result<HeroTextures> add_hero_textures(GltfWriter& writer) {
         return {};
     };
     HM_TRY(add(t.slab_color, "slab color", paint(1024, 1024, 3, slab_color)));
-    HM_TRY(add(t.slab_normal, "slab normal", paint_normals(1024, slab_height)));
+    HM_TRY(add(t.slab_normal, "slab normal", paint_normals(768, slab_height)));
     HM_TRY(add(t.slab_roughness, "slab roughness", paint_slab_roughness(512)));
     HM_TRY(add(t.rock_color, "rock color", paint(512, 512, 3, rock_color)));
-    HM_TRY(add(t.rock_normal, "rock normal", paint_normals(512, rock_height)));
+    HM_TRY(add(t.rock_normal, "rock normal", paint_normals(384, rock_height)));
     HM_TRY(add(t.plaster_color, "plaster color", paint(512, 512, 3, plaster_color)));
     HM_TRY(add(t.hammered_normal, "hammered normal", paint_normals(512, hammered_height)));
     HM_TRY(add(t.flag_color, "flag color", paint(256, 256, 4, flag_color)));

@@ -82,8 +82,9 @@ Result<void> write_cornell(const std::filesystem::path& folder) {
          .translation = eye,
          .rotation = look_rotation(eye, eye + glm::vec3(0, 0, 1)),
          .camera = writer.add_camera("camera", 2 * std::atan(12.5f / 35.0f), 1, 0.01f)});
-    return write_scene(folder, "cornell", writer,
-                       {{"size", "1024x1024"}, {"spp", "512"}, {"env", "none"}});
+    return write_scene(
+        folder, "cornell", writer,
+        {{"size", "1024x1024"}, {"spp", "512"}, {"env", "none"}, {"exposure", "1.2"}});
 }
 
 }  // namespace hm

@@ -19,21 +19,21 @@ Result<void> write_hero(const std::filesystem::path& folder) {
     builder.add_shrine();
     builder.add_flags();
     builder.add_still_life();
-    builder.add_lantern({0.98f, 0, 0.15f}, 1.15f);
-    builder.add_lantern({-2.5f, 0.592f, -2.44f}, 1.0f);
+    builder.add_lanterns();
     builder.add_landscape();
 
     writer.add_node({.name = "sun",
                      .rotation = look_rotation(hero_sun_direction(), glm::vec3(0)),
-                     .light = writer.add_directional_light("sun", {1, 0.70f, 0.42f}, 5.5f)});
-    const glm::vec3 eye(0, 1.38f, 5.3f);
+                     .light = writer.add_directional_light("sun", {1, 0.68f, 0.39f}, 6.8f)});
+    const glm::vec3 eye(0, 1.46f, 6.1f);
     writer.add_node({.name = "camera",
                      .translation = eye,
-                     .rotation = look_rotation(eye, {0.05f, 1.50f, 0}),
-                     .camera = writer.add_camera("camera", 0.58f, 16.0f / 9, 0.05f)});
+                     .rotation = look_rotation(eye, {0.05f, 1.45f, 0}),
+                     .camera = writer.add_camera("camera", 0.60f, 16.0f / 9, 0.05f)});
     HM_TRY(write_hero_sky(folder / "hero_sky.hdr"));
-    return write_scene(folder, "hero", writer,
-                       {{"size", "1280x720"}, {"spp", "256"}, {"env", "hero_sky.hdr"}});
+    return write_scene(
+        folder, "hero", writer,
+        {{"size", "1280x720"}, {"spp", "256"}, {"env", "hero_sky.hdr"}, {"exposure", "0.15"}});
 }
 
 }  // namespace hm

@@ -83,10 +83,10 @@ Result<void> write_spheres(const std::filesystem::path& folder) {
     writer.add_object("backdrop", backdrop,
                       writer.add_material("paper",
                                           "\"pbrMetallicRoughness\":{\"baseColorFactor\":"
-                                          "[0.32,0.33,0.35,1],\"metallicFactor\":0,"
+                                          "[0.13,0.135,0.15,1],\"metallicFactor\":0,"
                                           "\"roughnessFactor\":0.9}"));
     const glm::vec3 middle(0, 2.5f, 0);
-    add_lamp(writer, "key", {-6, 8, 7}, middle, {4, 3}, "[1,0.93,0.82]", 26);
+    add_lamp(writer, "key", {-9, 8, 5}, middle, {4, 4}, "[1,0.93,0.82]", 30);
     add_lamp(writer, "fill", {8, 5, 8}, middle, {2, 5}, "[0.75,0.87,1]", 8);
     add_lamp(writer, "top", {0, 9.5f, 0}, middle, {9, 1}, "[1,1,1]", 6);
 
@@ -96,7 +96,7 @@ Result<void> write_spheres(const std::filesystem::path& folder) {
                      .rotation = look_rotation(eye, {0, 2.5f, 0}),
                      .camera = writer.add_camera("camera", 0.42f, 16.0f / 9, 0.1f)});
     return write_scene(folder, "spheres", writer,
-                       {{"size", "1280x720"}, {"spp", "256"}, {"env", "none"}});
+                       {{"size", "1280x720"}, {"spp", "256"}, {"env-intensity", "0.25"}});
 }
 
 }  // namespace hm
