@@ -93,7 +93,8 @@ Result<void> read_tangents(std::size_t accessor, Source& source, Primitive& prim
     }
     if (!all_good)
         source.warn(accessor_place(accessor),
-                    "some tangents have no direction or a w other than 1 and -1");
+                    "some tangents have no direction or a w other than 1 and -1; the nearest valid "
+                    "ones are used");
     primitive.has_tangents = true;
     return {};
 }

@@ -73,10 +73,9 @@ Result<std::vector<Image>> read_images(const Json& root, Source& source,
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("images"));
     std::vector<std::size_t> chosen;
     const std::vector<int> new_index = choose(materials, used, items.size(), chosen);
-    for (std::size_t m = 0; m < materials.size(); ++m)
-        for (TextureSlot* slot : texture_slots(materials[m]))
-            if (slot->image != kUnset)
-                slot->image = used[m] ? new_index[std::size_t(slot->image)] : kUnset;
+    for (Material& material : materials)
+        for (TextureSlot* slot : texture_slots(material))
+            if (slot->image != kUnset) slot->image = new_index[std::size_t(slot->image)];
 
     std::vector<Result<Image>> read(chosen.size());
     std::atomic<std::uint64_t> total = 0;

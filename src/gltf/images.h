@@ -10,7 +10,7 @@
 namespace hm::gltf {
 
 // Decodes the images that the materials in `used` read and turns the slots' `image` from the file's
-// indices into the result's; slots of other materials become unset.
+// indices into the result's; slots of images that are not read become unset.
 Result<std::vector<Image>> read_images(const Json& root, Source& source,
                                        std::vector<Material>& materials,
                                        const std::vector<bool>& used);
