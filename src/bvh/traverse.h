@@ -25,7 +25,7 @@ struct BvhWalk {
 };
 
 inline constexpr std::uint32_t kBvhNoSlot = 0xffffffffu;
-inline constexpr std::uint64_t kBvhLeaveInstance = 0xffffffffu;  // on the stack, at distance 0
+inline constexpr std::uint32_t kBvhLeaveInstance = 0xffffffffu;  // on the stack, at distance 0
 
 HM_ALWAYS_INLINE BvhTriangleId triangle_id(const BvhView& view, std::uint32_t instance,
                                            std::uint32_t slot) {
@@ -42,7 +42,7 @@ HM_ALWAYS_INLINE bool lower_id(const BvhTriangleId& a, const BvhTriangleId& b) {
 
 // Takes the packet's hits that are better than the best so far. True ends the walk (any hit).
 template <bool kAny, class Accept>
-HM_ALWAYS_INLINE bool visit_packet(const BvhView& view, std::uint32_t index, const RaySpace& ray,
+HM_ALWAYS_INLINE bool visit_packet(const BvhView& view, std::uint32_t index, const TriangleRay& ray,
                                    BvhWalk& walk, Accept& accept) {
     const BvhPacket& packet = view.packets[index];
     PacketHits hits;
@@ -73,27 +73,28 @@ HM_ALWAYS_INLINE bool visit_packet(const BvhView& view, std::uint32_t index, con
     return false;
 }
 
-// Puts the children that the ray enters before `best_t` on the stack and returns its new height.
-HM_ALWAYS_INLINE std::uint32_t push_children(const BvhNode& node, const RaySpace& ray, float best_t,
-                                             std::uint64_t* stack, std::uint32_t height) {
-    const auto near_at = [&](std::uint32_t axis) {
-        return (load8(node.bounds[ray.near_plane[axis]]) - splat8(ray.near_origin[axis])) *
-               splat8(ray.inverse[axis]);
+// Bit per child that the ray enters no later than `best_t`, and where.
+HM_ALWAYS_INLINE std::uint32_t enter_children(const BvhNode& node, const BoxRay& ray, float best_t,
+                                              Float8& entry) {
+    const auto near_at = [&](std::uint32_t a) {
+        return (load8(node.bounds[ray.near_plane[a]]) - ray.near_origin[a]) * ray.inverse[a];
     };
-    const auto far_at = [&](std::uint32_t axis) {
-        return (load8(node.bounds[ray.near_plane[axis] ^ 1]) - splat8(ray.far_origin[axis])) *
-               splat8(ray.far_inverse[axis]);
+    const auto far_at = [&](std::uint32_t a) {
+        return (load8(node.bounds[ray.near_plane[a] ^ 1]) - ray.far_origin[a]) * ray.inverse[a];
     };
-    const Float8 entry = highest(highest(near_at(0), near_at(1)), highest(near_at(2), splat8(0)));
-    const Float8 exit = lowest(lowest(far_at(0), far_at(1)), lowest(far_at(2), splat8(best_t)));
-    alignas(32) float distance[kBvhWidth];
-    store8(distance, entry);
-    for (std::uint32_t rest = mask_less_equal(entry, exit); rest != 0; rest &= rest - 1) {
-        const std::uint32_t lane = std::uint32_t(__builtin_ctz(rest));
-        const std::uint32_t bits = __builtin_bit_cast(std::uint32_t, distance[lane]);
-        stack[height++] = std::uint64_t(bits) << 32 | node.child[lane];
-    }
-    return height;
+    entry = highest(highest(near_at(0), near_at(1)), highest(near_at(2), splat8(0)));
+    const Float8 exit = lowest(lowest(far_at(0), far_at(1)), far_at(2)) * splat8(kFarScale);
+    return mask_less_equal(entry, lowest(exit, splat8(best_t)));
+}
+
+HM_ALWAYS_INLINE void prefetch_child(const BvhView& view, std::uint64_t entry) {
+    const std::uint32_t child = std::uint32_t(entry);
+    const std::uint32_t index = child & ~kBvhKindMask;
+    const char* at = (child & kBvhKindMask) == kBvhInner
+                         ? reinterpret_cast<const char*>(view.nodes + index)
+                         : reinterpret_cast<const char*>(view.packets + index);
+    for (int line = 0; line < 4; ++line)
+        __builtin_prefetch(at + 64 * line);
 }
 
 // Nearest last.
@@ -105,6 +106,40 @@ HM_ALWAYS_INLINE void sort_entries(std::uint64_t* first, std::uint64_t* last) {
             *j = j[-1];
         *j = moved;
     }
+}
+
+// The nearest of the children in `mask` (at least one); the others go on the stack.
+template <bool kAny>
+HM_ALWAYS_INLINE std::uint64_t push_children(const BvhView& view, const BvhNode& node,
+                                             std::uint32_t mask, Float8 entry, std::uint64_t* stack,
+                                             std::uint32_t& height) {
+    alignas(32) float distance[kBvhWidth];
+    store8(distance, entry);
+    const auto take = [&] {
+        const std::uint32_t lane = std::uint32_t(__builtin_ctz(mask));
+        mask &= mask - 1;
+        const std::uint32_t bits = __builtin_bit_cast(std::uint32_t, distance[lane]);
+        return std::uint64_t(bits) << 32 | node.child[lane];
+    };
+    const std::uint64_t a = take();
+    if (mask == 0) return a;
+    const std::uint64_t b = take();
+    if (mask == 0) {
+        const std::uint64_t farther = a > b ? a : b;
+        stack[height++] = farther;
+        prefetch_child(view, farther);
+        return a > b ? b : a;
+    }
+    const std::uint32_t first = height;
+    stack[height++] = a;
+    stack[height++] = b;
+    do {
+        stack[height++] = take();
+    } while (mask != 0);
+    for (std::uint32_t i = first; i < height; ++i)
+        prefetch_child(view, stack[i]);
+    if constexpr (!kAny) sort_entries(stack + first, stack + height);
+    return stack[--height];
 }
 
 HM_ALWAYS_INLINE RaySpace enter_instance(const BvhInstanceRef& instance, const Ray& ray) {
@@ -123,39 +158,45 @@ HM_ALWAYS_INLINE RaySpace enter_instance(const BvhInstanceRef& instance, const R
 template <bool kAny, class Accept>
 HM_ALWAYS_INLINE bool walk_bvh(const BvhView& view, const Ray& ray, BvhWalk& walk, Accept& accept) {
     walk = {ray.t_max, 0, 0, kBvhNoSlot, kBvhEmpty, kBvhEmpty, 0};
-    if (view.root == kBvhEmpty || !(ray.t_max > 0)) return false;
     const float origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
     const float direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
+    if (view.root == kBvhEmpty || !(ray.t_max > 0)) return false;
+    if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0) return false;
     RaySpace space = make_ray_space(origin, direction, view.bounds);
 
     std::uint64_t stack[kBvhStackSize];
     std::uint32_t height = 0;
-    stack[height++] = view.root;
-    while (height != 0) {
-        const std::uint64_t entry = stack[--height];
-        const float distance = __builtin_bit_cast(float, std::uint32_t(entry >> 32));
-        if (!(distance <= walk.best_t)) continue;
-        const std::uint32_t child = std::uint32_t(entry);
+    std::uint64_t entry = view.root;
+    for (;;) {
+        std::uint32_t child = std::uint32_t(entry);
+        while ((child & kBvhKindMask) == kBvhInner) {
+            const BvhNode& node = view.nodes[child];
+            Float8 distance;
+            const std::uint32_t mask = enter_children(node, space.box, walk.best_t, distance);
+            if (mask == 0) break;
+            entry = push_children<kAny>(view, node, mask, distance, stack, height);
+            child = std::uint32_t(entry);
+        }
         const std::uint32_t index = child & ~kBvhKindMask;
-        if ((child & kBvhKindMask) == kBvhInner) {
-            const std::uint32_t first = height;
-            height = push_children(view.nodes[index], space, walk.best_t, stack, height);
-            if constexpr (!kAny) sort_entries(stack + first, stack + height);
-        } else if ((child & kBvhKindMask) == kBvhPacket) {
-            if (visit_packet<kAny>(view, index, space, walk, accept)) return true;
+        if ((child & kBvhKindMask) == kBvhPacket) {
+            if (visit_packet<kAny>(view, index, space.triangle, walk, accept)) return true;
         } else if (child == kBvhLeaveInstance) {
             space = make_ray_space(origin, direction, view.bounds);
             walk.instance = kBvhEmpty;
             walk.instance_entry = 0;
-        } else {
-            stack[height++] = kBvhLeaveInstance;
-            stack[height++] = view.instances[index].root;
+        } else if ((child & kBvhKindMask) == kBvhInstance) {
             space = enter_instance(view.instances[index], ray);
             walk.instance = index;
-            walk.instance_entry = distance;
+            walk.instance_entry = __builtin_bit_cast(float, std::uint32_t(entry >> 32));
+            stack[height++] = kBvhLeaveInstance;
+            entry = view.instances[index].root;
+            continue;
         }
+        do {
+            if (height == 0) return walk.best_slot != kBvhNoSlot;
+            entry = stack[--height];
+        } while (!(__builtin_bit_cast(float, std::uint32_t(entry >> 32)) <= walk.best_t));
     }
-    return walk.best_slot != kBvhNoSlot;
 }
 
 template <class Accept>

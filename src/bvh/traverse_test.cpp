@@ -32,8 +32,8 @@ std::optional<Hit> brute_force(const Soup& soup, const Bvh& bvh, const Ray& ray,
                 packet.position[v][a][0] = soup.corner(i, v)[a];
         packet.used = 1;
         PacketHits hits;
-        if (intersect_packet(packet, space, kInfinity, hits) == 0) continue;
-        const float t = std::max(hits.t[0], triangle_entry(packet, 0, space));
+        if (intersect_packet(packet, space.triangle, kInfinity, hits) == 0) continue;
+        const float t = std::max(hits.t[0], triangle_entry(packet, 0, space.triangle));
         if (t < (best ? best->t : ray.t_max)) best = Hit{t, hits.u[0], hits.v[0], 0, 0, i};
     }
     return best;

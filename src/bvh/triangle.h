@@ -14,8 +14,8 @@ struct alignas(32) PacketHits {
 // where single precision gives an edge function of zero or leaves its range.
 __attribute__((noinline)) static inline bool intersect_lane_double(const BvhPacket& packet,
                                                                    std::uint32_t lane,
-                                                                   const RaySpace& ray, float t_max,
-                                                                   PacketHits& hits) {
+                                                                   const TriangleRay& ray,
+                                                                   float t_max, PacketHits& hits) {
     double x[3], y[3], z[3];
     for (int i = 0; i < 3; ++i) {
         const auto& p = packet.position[i];
@@ -43,7 +43,7 @@ __attribute__((noinline)) static inline bool intersect_lane_double(const BvhPack
 }
 
 // Bit per lane hit with 0 < t <= t_max.
-HM_ALWAYS_INLINE std::uint32_t intersect_packet(const BvhPacket& packet, const RaySpace& ray,
+HM_ALWAYS_INLINE std::uint32_t intersect_packet(const BvhPacket& packet, const TriangleRay& ray,
                                                 float t_max, PacketHits& hits) {
     const Float8 ox = splat8(ray.origin[ray.kx]);
     const Float8 oy = splat8(ray.origin[ray.ky]);
@@ -95,14 +95,14 @@ HM_ALWAYS_INLINE std::uint32_t intersect_packet(const BvhPacket& packet, const R
 // Where the ray enters the box of one triangle, computed as for a node's child. Rounding is
 // monotone, so no box around the triangle is entered later.
 HM_ALWAYS_INLINE float triangle_entry(const BvhPacket& packet, std::uint32_t lane,
-                                      const RaySpace& ray) {
+                                      const TriangleRay& ray) {
     float entry = 0;
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
         const float a = packet.position[0][axis][lane];
         const float b = packet.position[1][axis][lane];
         const float c = packet.position[2][axis][lane];
         const float plane =
-            (ray.near_plane[axis] & 1) != 0 ? highest(highest(a, b), c) : lowest(lowest(a, b), c);
+            ray.inverse[axis] < 0 ? highest(highest(a, b), c) : lowest(lowest(a, b), c);
         entry = highest((plane - ray.near_origin[axis]) * ray.inverse[axis], entry);
     }
     return entry;

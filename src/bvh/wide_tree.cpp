@@ -11,7 +11,8 @@
 namespace hm {
 namespace {
 
-// Measured costs of visiting a node and a packet, in common units.
+// Costs of visiting a node and a leaf, in common units. Between 0.5 and 2 they make no difference
+// of 1 % to the visits.
 constexpr float kNodeCost = 1.0f;
 constexpr float kLeafCost = 1.0f;
 constexpr std::uint32_t kTaskCount = 1 << 14;
