@@ -1,4 +1,5 @@
 // The hero scene's chorten, its prayer flags, and lanterns.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -142,14 +143,12 @@ void HeroBuilder::add_flag_line(glm::vec3 from, glm::vec3 to, float sag, int cou
     TriangleMesh tube = make_tube(rope, 0.006f, 6);
     writer_.add_object("rope", tube, materials_.rope);
 
-    int meshes[3][5];
+    GltfPrimitive shapes[3];
+    int meshes[3][5];  // made when the first flag needs them
     for (int shape = 0; shape < 3; ++shape) {
-        GltfPrimitive primitive = writer_.add_primitive(
-            make_flag(2.1f * float(shape) + float(count)), materials_.flags[0]);
-        for (int dye = 0; dye < 5; ++dye) {
-            primitive.material = materials_.flags[dye];
-            meshes[shape][dye] = writer_.add_mesh("flag", {&primitive, 1});
-        }
+        const float phase = 2.1f * float(shape) + float(count);
+        shapes[shape] = writer_.add_primitive(make_flag(phase), materials_.flags[0]);
+        std::fill_n(meshes[shape], 5, -1);
     }
     const float step = 0.93f / float(count);
     for (int i = 0; i < count; ++i) {
@@ -162,10 +161,16 @@ void HeroBuilder::add_flag_line(glm::vec3 from, glm::vec3 to, float sag, int cou
         const glm::quat pitch = glm::angleAxis(
             std::atan2(along.y, glm::length(glm::vec2(along.x, along.z))), glm::vec3(0, 0, 1));
         const glm::quat sway = glm::angleAxis(-swing, glm::vec3(1, 0, 0));
+        const std::uint32_t shape = hash(std::uint32_t(i), 1, 701) % 3;
+        int& mesh = meshes[shape][i % 5];
+        if (mesh < 0) {
+            const GltfPrimitive primitive{shapes[shape].geometry, materials_.flags[i % 5]};
+            mesh = writer_.add_mesh("flag", {&primitive, 1});
+        }
         writer_.add_node({.name = "flag",
                           .translation = on_rope(from, to, sag, t + step / 2),
                           .rotation = yaw * pitch * sway,
-                          .mesh = meshes[hash(std::uint32_t(i), 1, 701) % 3][i % 5]});
+                          .mesh = mesh});
     }
 }
 

@@ -184,7 +184,7 @@ void HeroBuilder::add_landscape() {
     writer_.add_object("far mist", make_mist(1080, -170, 75), materials_.mist);
     const int tree = single_mesh("conifer", make_conifer(), materials_.conifer);
     std::uint32_t i = 0;
-    for (const glm::vec4& at : place_trees(620))
+    for (const glm::vec4& at : place_trees(900))
         place("conifer", tree, glm::vec3(at), 6.28f * hash_unit(i++, 0, 690),
               glm::vec3(at.w, at.w * 1.15f, at.w));
 }

@@ -146,7 +146,7 @@ std::vector<glm::vec4> place_trees(int count) {
         const glm::vec2 xz(distance * std::sin(azimuth), -distance * std::cos(azimuth));
         const float h = terrain_height(xz);
         const float grove = fbm(xz / 60.0f, 3, 0, 311);
-        if (h < -120 || h > 105 || grove < -0.10f || normal_at(xz, 4).y < 0.6f) continue;
+        if (h < -120 || h > 105 || grove < -0.14f || normal_at(xz, 4).y < 0.42f) continue;
         trees.push_back({xz.x, h - 0.4f, xz.y, 0.7f + 0.7f * hash_unit(i, 2, 310)});
     }
     return trees;
