@@ -10,6 +10,7 @@
 
 #include "bvh/bvh.h"
 #include "bvh/trace_batch.h"
+#include "machine.h"
 
 namespace {
 
@@ -193,7 +194,8 @@ int main() {
         if (again.stats.build_seconds < bvh.stats.build_seconds) bvh = std::move(again);
     }
     const BvhView view = bvh.view();
-    fmt::print("{{\n  \"triangles\": {},\n  \"nodes\": {},\n  \"packets\": {},\n  \"bytes\": {},\n",
+    fmt::print("{{\n  {},\n", machine_json());
+    fmt::print("  \"triangles\": {},\n  \"nodes\": {},\n  \"packets\": {},\n  \"bytes\": {},\n",
                bvh.stats.triangles, bvh.stats.nodes, bvh.stats.packets, bvh.stats.bytes);
     fmt::print("  \"build_mtris_per_s\": {:.2f},\n  \"mrays_per_s\": {{",
                double(bvh.stats.triangles) / bvh.stats.build_seconds * 1e-6);
