@@ -35,6 +35,34 @@ double gamma_q_fraction(double a, double x) {
     return h * std::exp(-x + a * std::log(x) - std::lgamma(a));
 }
 
+// The incomplete beta function's continued fraction (Lentz), for x < (a + 1) / (a + b + 2).
+double beta_fraction(double a, double b, double x) {
+    constexpr double kTiny = 1e-300;
+    double c = 1, d = 1 - (a + b) * x / (a + 1);
+    d = 1 / (std::abs(d) < kTiny ? kTiny : d);
+    double h = d;
+    auto step = [&](double an) {
+        d = 1 + an * d;
+        c = 1 + an / c;
+        d = 1 / (std::abs(d) < kTiny ? kTiny : d);
+        if (std::abs(c) < kTiny) c = kTiny;
+        h *= d * c;
+        return std::abs(d * c - 1) > 1e-15;
+    };
+    for (int m = 1; m < 10000; ++m) {
+        step(m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m)));
+        if (!step(-(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1)))) break;
+    }
+    return h;
+}
+
+double incomplete_beta(double a, double b, double x) {
+    double front = std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) +
+                            b * std::log1p(-x));
+    if (x < (a + 1) / (a + b + 2)) return front * beta_fraction(a, b, x) / a;
+    return 1 - front * beta_fraction(b, a, 1 - x) / b;
+}
+
 }  // namespace
 
 double gamma_q(double a, double x) {
@@ -44,6 +72,11 @@ double gamma_q(double a, double x) {
 
 double normal_tail(double z) {
     return std::erfc(std::abs(z) / std::sqrt(2.0));
+}
+
+double student_tail(double t, int degrees) {
+    if (t == 0) return 1;
+    return incomplete_beta(0.5 * degrees, 0.5, degrees / (degrees + t * t));
 }
 
 double sidak_level(double level, int count) {

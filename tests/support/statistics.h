@@ -29,6 +29,9 @@ double gamma_q(double a, double x);
 // The chance that a standard normal number lies farther from zero than z.
 double normal_tail(double z);
 
+// The chance that |t| of Student's distribution with so many degrees of freedom is larger.
+double student_tail(double t, int degrees);
+
 // All statistical comparisons of the suite together wrongly fail with this chance; each gets its
 // share by Šidák's correction.
 inline constexpr double kFamilyLevel = 1e-3;

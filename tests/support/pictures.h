@@ -1,0 +1,74 @@
+// Renders small scenes with the real renderer and compares pictures as statistics.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cpu/render.h"
+#include "scene/flatten.h"
+#include "support/scenes.h"
+
+namespace hm::test {
+
+struct Shot {
+    uint width = 8, height = 8;
+    uint samples = 64;
+    uint first_sample = 0;
+    uint bounces = 1;  // 0: no limit
+    uint seed = 1;
+    uint strategy = kStrategyMis;
+    uint sampler = kSamplerIndependent;
+    bool energy_compensation = true;
+    uint background = kBackgroundEnvironment;
+    float clamp = 0;
+};
+
+struct Picture {
+    uint width, height;
+    std::vector<vec3> pixels;  // means
+    std::vector<float> alpha;
+    vec3 mean() const;
+};
+
+// A scene ready to be rendered. Not copied: it points into itself.
+class Studio {
+  public:
+    explicit Studio(Scene scene, EnvironmentMap environment = {}, LightChoice choice = {},
+                    unsigned threads = 1);
+    Studio(const Studio&) = delete;
+
+    Picture render(const CameraData& camera, const Shot& shot);
+    std::vector<PixelSum> render_sums(const CameraData& camera, const Shot& shot, PixelRect crop);
+    const FlatScene& flat() const { return flat_; }
+
+  private:
+    Scene scene_;
+    FlatScene flat_;
+    CpuRenderer renderer_;
+};
+
+// A camera whose pixels all see the same point, from the direction `from`.
+CameraData point_camera(vec3 point, vec3 from);
+// A picture of half extent `half` around the point, along -from.
+CameraData flat_camera(vec3 point, vec3 from, float half);
+
+// Means of independently seeded replicates, and what they say of the true mean.
+struct Estimate {
+    vec3 mean{0};
+    vec3 error{0};  // of the mean, one standard deviation
+};
+Estimate estimate(const std::vector<vec3>& replicates);
+
+// The mean over all pixels of independently seeded pictures agrees with an exact value: within
+// what chance allows at this suite's level, and measured to `precision`, relative.
+void expect_radiance(Studio& studio, const CameraData& camera, Shot shot, vec3 exact,
+                     double precision = 0.01, int replicates = 16);
+
+// Two ways to render agree: each pixel, and the mean over all of them.
+void expect_same_pictures(const std::vector<Picture>& a, const std::vector<Picture>& b,
+                          const std::string& what);
+std::vector<Picture> replicate(Studio& studio, const CameraData& camera, Shot shot, int count,
+                               uint first_seed);
+
+}  // namespace hm::test
