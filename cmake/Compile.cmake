@@ -7,5 +7,7 @@ function(himalaya_compile target)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Werror
+    # GCC's -Wconversion leaves this out in C++.
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>
     -fno-math-errno -fno-trapping-math -ffp-contract=off)
 endfunction()

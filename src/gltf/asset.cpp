@@ -14,10 +14,6 @@ constexpr std::array<std::string_view, 4> kSupported{
     "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
     "KHR_texture_transform"};
 
-bool is_supported(std::string_view extension) {
-    return std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();
-}
-
 struct Version {
     unsigned major = 0;
     unsigned minor = 0;
@@ -43,6 +39,10 @@ Result<std::optional<Version>> read_version(const Json& asset, std::string_view 
 }
 
 }  // namespace
+
+bool is_supported(std::string_view extension) {
+    return std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();
+}
 
 Result<void> check_asset(const Json& root) {
     HM_TRY_ASSIGN(const Json asset, root.required("asset", root.object("asset")));

@@ -1,10 +1,15 @@
 // Whether this file is one for us: glTF's version and the extensions it asks for.
 #pragma once
 
+#include <string_view>
+
 #include "gltf/json.h"
 #include "gltf/source.h"
 
 namespace hm::gltf {
+
+// Whether this program evaluates the extension.
+bool is_supported(std::string_view extension);
 
 Result<void> check_asset(const Json& root);
 

@@ -155,7 +155,7 @@ Result<float> Json::to_number(dom::element value, std::string place) const {
     double number = 0;
     if (value.get(number) != simdjson::SUCCESS)
         return mistyped(std::move(place), "a number", value);
-    if (std::abs(number) > double{std::numeric_limits<float>::max()})
+    if (std::abs(number) > double(std::numeric_limits<float>::max()))
         return hm::fail(ExitCode::invalid, *file_, std::move(place),
                         fmt::format("{} does not fit a 32-bit float", number));
     return static_cast<float>(number);

@@ -25,10 +25,10 @@ std::vector<bool> used_materials(const Scene& scene) {
     return used;
 }
 
-Result<Scene> load(const std::filesystem::path& path, Diagnostics& diagnostics) {
+Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path& path,
+                   Diagnostics& diagnostics) {
     using namespace gltf;
     const std::string file = path.string();
-    HM_TRY_ASSIGN(const auto bytes, read_file(path));
     HM_TRY_ASSIGN(const Container container, split_container(bytes, file, diagnostics));
     simdjson::dom::parser parser;
     HM_TRY_ASSIGN(const Json root, parse_json(parser, container.json, file));
@@ -63,3 +63,9 @@ Result<Scene> load_gltf(const std::filesystem::path& path, Diagnostics& diagnost
 }
 
 }  // namespace hm
+    HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
+    return load_gltf_bytes(bytes, path, diagnostics);
+}
+
+Result<Scene> load_gltf_bytes(std::span<const std::byte> bytes, const std::filesystem::path& path,
+                              Diagnostics& diagnostics) {

@@ -1,0 +1,103 @@
+#include "gltf/summary.h"
+
+#include <algorithm>
+
+#include "base/files.h"
+#include "gltf/asset.h"
+#include "gltf/container.h"
+#include "gltf/json.h"
+
+namespace hm {
+namespace {
+
+using gltf::Json;
+
+Result<std::string> text_of(const Json& json, std::string_view key) {
+    HM_TRY_ASSIGN(const auto text, json.text(key));
+    return std::string(text.value_or(""));
+}
+
+Result<void> read_asset(const Json& root, FileSummary& summary) {
+    HM_TRY_ASSIGN(const auto asset, root.object("asset"));
+    if (!asset) return {};
+    HM_TRY_ASSIGN(summary.version, text_of(*asset, "version"));
+    HM_TRY_ASSIGN(summary.min_version, text_of(*asset, "minVersion"));
+    HM_TRY_ASSIGN(summary.generator, text_of(*asset, "generator"));
+    HM_TRY_ASSIGN(summary.copyright, text_of(*asset, "copyright"));
+    return {};
+}
+
+Result<std::vector<FileExtension>> read_extensions(const Json& root) {
+    HM_TRY_ASSIGN(std::vector<std::string_view> names, root.texts("extensionsUsed"));
+    HM_TRY_ASSIGN(const std::vector<std::string_view> required, root.texts("extensionsRequired"));
+    // What is required has to be listed as used as well; not every file does.
+    names.insert(names.end(), required.begin(), required.end());
+    std::vector<FileExtension> extensions;
+    for (const std::string_view name : names) {
+        const auto same = [&](const FileExtension& known) { return known.name == name; };
+        if (std::any_of(extensions.begin(), extensions.end(), same)) continue;
+        const bool is_required =
+            std::find(required.begin(), required.end(), name) != required.end();
+        extensions.push_back({std::string(name), is_required, gltf::is_supported(name)});
+    }
+    return extensions;
+}
+
+Result<std::vector<std::string>> names_of(const std::vector<Json>& items) {
+    std::vector<std::string> names;
+    for (const Json& item : items) {
+        HM_TRY_ASSIGN(names.emplace_back(), item.name());
+    }
+    return names;
+}
+
+Result<void> count_tables(const Json& root, FileCounts& counts) {
+    const std::pair<const char*, std::size_t*> tables[] = {
+        {"scenes", &counts.scenes},     {"nodes", &counts.nodes},
+        {"meshes", &counts.meshes},     {"materials", &counts.materials},
+        {"textures", &counts.textures}, {"images", &counts.images},
+        {"cameras", &counts.cameras},   {"animations", &counts.animations},
+        {"skins", &counts.skins},       {"accessors", &counts.accessors},
+        {"buffers", &counts.buffers},   {"bufferViews", &counts.buffer_views},
+    };
+    for (const auto& [name, count] : tables) {
+        HM_TRY_ASSIGN(const std::vector<Json> items, root.objects(name));
+        *count = items.size();
+    }
+    HM_TRY_ASSIGN(const auto punctual, root.extension("KHR_lights_punctual"));
+    if (punctual) {
+        HM_TRY_ASSIGN(const std::vector<Json> lights, punctual->objects("lights"));
+        counts.lights = lights.size();
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<FileSummary> read_summary(const std::filesystem::path& path) {
+    const std::string file = path.string();
+    HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
+    Diagnostics unheard;  // load_gltf repeats them
+    HM_TRY_ASSIGN(const gltf::Container container, gltf::split_container(bytes, file, unheard));
+    simdjson::dom::parser parser;
+    HM_TRY_ASSIGN(const Json root, gltf::parse_json(parser, container.json, file));
+
+    FileSummary summary;
+    summary.bytes = bytes.size();
+    summary.binary = container.json.data() != bytes.data();
+    HM_TRY(read_asset(root, summary));
+    HM_TRY_ASSIGN(summary.extensions, read_extensions(root));
+    HM_TRY(count_tables(root, summary.counts));
+    HM_TRY_ASSIGN(const std::vector<Json> scenes, root.objects("scenes"));
+    HM_TRY_ASSIGN(summary.scenes, names_of(scenes));
+    HM_TRY_ASSIGN(const auto chosen, root.index("scene", scenes.size(), "scenes"));
+    summary.scene = chosen.value_or(0);
+    HM_TRY_ASSIGN(const auto extension, root.extension("KHR_materials_variants"));
+    if (extension) {
+        HM_TRY_ASSIGN(const std::vector<Json> variants, extension->objects("variants"));
+        HM_TRY_ASSIGN(summary.variants, names_of(variants));
+    }
+    return summary;
+}
+
+}  // namespace hm

@@ -1,0 +1,41 @@
+// What a glTF file says about itself, read without its buffers and images: also of a file that
+// load_gltf refuses.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace hm {
+
+struct FileExtension {
+    std::string name;
+    bool required = false;
+    bool supported = false;
+};
+
+// How long the file's tables are, whatever of them its scene uses.
+struct FileCounts {
+    std::size_t scenes = 0, nodes = 0, meshes = 0, materials = 0, textures = 0, images = 0;
+    std::size_t cameras = 0, lights = 0, animations = 0, skins = 0;
+    std::size_t accessors = 0, buffer_views = 0, buffers = 0;
+};
+
+struct FileSummary {
+    bool binary = false;  // GLB
+    std::size_t bytes = 0;
+    std::string version, min_version, generator, copyright;
+    std::vector<FileExtension> extensions;  // in the order of extensionsUsed, each once
+    FileCounts counts;
+    std::vector<std::string> scenes;    // names, empty where there is none
+    std::size_t scene = 0;              // the one shown
+    std::vector<std::string> variants;  // of materials
+};
+
+// Fails where the file is unreadable, no glTF at all, or one of the tables is of a wrong type.
+Result<FileSummary> read_summary(const std::filesystem::path& path);
+
+}  // namespace hm
