@@ -55,17 +55,17 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
 }  // namespace
 
 Result<Scene> load_gltf(const std::filesystem::path& path, Diagnostics& diagnostics) {
-    try {
-        return load(path, diagnostics);
-    } catch (const std::bad_alloc&) {
-        return fail(ExitCode::internal, path.string(), "", "the scene does not fit in memory");
-    }
-}
-
-}  // namespace hm
     HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
     return load_gltf_bytes(bytes, path, diagnostics);
 }
 
 Result<Scene> load_gltf_bytes(std::span<const std::byte> bytes, const std::filesystem::path& path,
                               Diagnostics& diagnostics) {
+    try {
+        return load(bytes, path, diagnostics);
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::internal, path.string(), "", "the scene does not fit in memory");
+    }
+}
+
+}  // namespace hm
