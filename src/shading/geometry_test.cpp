@@ -42,6 +42,17 @@ TEST(Geometry, OffsetLeavesToTheNormalsSide) {
         }
 }
 
+TEST(Geometry, OffsetNearTheOriginIsFixed) {
+    // Where a coordinate is small its own precision says nothing of what made it: a transform of
+    // metres rounds to 2^-24 m and more.
+    test::Random random(24);
+    for (int i = 0; i < 20000; ++i) {
+        vec3 p = std::exp2(random.between(-30, -6)) * random_direction(random);
+        vec3 n = random_direction(random);
+        EXPECT_LT(length(offset_ray_origin(p, n) - p - n * 0x1p-16f), 1e-8f);
+    }
+}
+
 TEST(Geometry, OffsetClearsThePlaneOfATriangleFarFromTheOrigin) {
     test::Random random(22);
     for (int i = 0; i < 20000; ++i) {
