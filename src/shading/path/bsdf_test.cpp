@@ -77,7 +77,7 @@ TEST(Bsdf, IsAppendixBWithoutCompensation) {
                 wo, wi);
         // What is known of the half vector from float directions, in widths of the lobe.
         double blur = 1e-7 / double(b.alpha * length(wo + wi));
-        for (int k = 0; k < 3; ++k)
+        for (std::size_t k = 0; k < 3; ++k)
             worst = std::max(worst, std::abs(f[k] - exact[k]) / exact[k] / (1e-5 + 4 * blur));
     }
     EXPECT_LT(worst, 1);
