@@ -2,6 +2,7 @@
 # Installs what Himalaya needs from Debian 12's own packages. A second run only looks and returns.
 #   --build  what building and rendering need
 #   --test   that, and what the tests need (default)
+#   --fuzz   what building needs, and clang with libFuzzer
 set -eu
 
 group=${1:---test}
@@ -17,8 +18,9 @@ case $group in
     command -v node >/dev/null || packages="$packages nodejs"
     command -v npm >/dev/null || packages="$packages npm"
     ;;
+--fuzz) packages="$packages clang libclang-rt-14-dev" ;;
 *)
-    echo "usage: $0 [--build|--test]" >&2
+    echo "usage: $0 [--build|--test|--fuzz]" >&2
     exit 2
     ;;
 esac
