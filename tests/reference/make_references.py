@@ -28,8 +28,8 @@ DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "data")
 SCRATCH = tempfile.mkdtemp()
 
 
-def mesh(vertices, faces, bsdf, emission=None, uv=None):
-    """Flat triangles, counter-clockwise seen from the front."""
+def mesh(vertices, faces, bsdf, emission=None, uv=None, opacity=None):
+    """Flat triangles, counter-clockwise seen from the front. `opacity` is a texture or a number."""
     path = os.path.join(SCRATCH, f"{len(os.listdir(SCRATCH))}.ply")
     with open(path, "w") as f:
         f.write(f"ply\nformat ascii 1.0\nelement vertex {len(vertices)}\n")
@@ -40,14 +40,17 @@ def mesh(vertices, faces, bsdf, emission=None, uv=None):
             f.write(" ".join(repr(float(x)) for x in [*v, *(uv[i] if uv else [])]) + "\n")
         for a, b, c in faces:
             f.write(f"3 {a} {b} {c}\n")
-    shape = {"type": "ply", "filename": path, "face_normals": True, "bsdf": {"type": "twosided", "inner": bsdf}}
+    bsdf = {"type": "twosided", "inner": bsdf}
+    if opacity:
+        bsdf = {"type": "mask", "opacity": opacity, "inner": bsdf}
+    shape = {"type": "ply", "filename": path, "face_normals": True, "bsdf": bsdf}
     if emission:
         shape["emitter"] = {"type": "area", "radiance": {"type": "rgb", "value": emission}}
     return shape
 
 
-def quad(a, b, c, d, bsdf, emission=None, uv=None):
-    return mesh([a, b, c, d], [(0, 1, 2), (0, 2, 3)], bsdf, emission, uv)
+def quad(a, b, c, d, bsdf, emission=None, uv=None, opacity=None):
+    return mesh([a, b, c, d], [(0, 1, 2), (0, 2, 3)], bsdf, emission, uv, opacity)
 
 
 def ball(centre, radius, bsdf):
@@ -236,25 +239,51 @@ def picture():
     return np.array([[[40 + 50 * x, 220 - 45 * y, 30 + 13 * (x * y)] for x in range(4)] for y in range(4)], dtype=np.uint8)
 
 
+def texture_corners(left, top, right, bottom):
+    """v grows downwards from the picture's first row, in glTF and in Mitsuba's own files."""
+    return [(left, bottom), (right, bottom), (right, top), (left, top)]
+
+
 def lens():
     def textured(wrap):
         return {"type": "diffuse", "reflectance": {
             "type": "bitmap", "bitmap": mi.Bitmap(picture()), "filter_type": "bilinear", "wrap_mode": wrap}}
 
-    def uv(left, top, right, bottom):
-        """v grows downwards from the picture's first row, in glTF and in Mitsuba's own files."""
-        return [(left, bottom), (right, bottom), (right, top), (left, top)]
-
-    shapes = [quad((-6, 0, 3), (6, 0, 3), (6, 0, -9), (-6, 0, -9), textured("repeat"), uv=uv(-1, -2, 3.5, 2.25))]
+    shapes = [quad((-6, 0, 3), (6, 0, 3), (6, 0, -9), (-6, 0, -9), textured("repeat"), uv=texture_corners(-1, -2, 3.5, 2.25))]
     for i, z in enumerate((1.5, 0, -2, -5)):
         x = -1.2 + 0.9 * i
         shapes.append(quad((x, 0.1, z), (x + 0.8, 0.1, z), (x + 0.8, 1.3, z), (x, 1.3, z), textured("clamp"),
-                           uv=uv(-0.1, -0.1, 1.2, 1.1)))
-    return {"depth": 3, "camera": camera([0.3, 1, 4], [0, 0.5, 0], 40, (0.12, 4.2)), "shapes": shapes,
+                           uv=texture_corners(-0.1, -0.1, 1.2, 1.1)))
+    return {"depth": 3, "camera": camera([0.3, 1, 4], [0, 0.5, 0], 40, (0.3, 4.2)), "shapes": shapes,
             "environment": sky(-30)}
 
 
-SCENES = {f.__name__: (f, spp) for f, spp in ((box, 512), (metal, 512), (materials, 512), (punctual, 256), (lens, 256))}
+def transparency():
+    alpha = np.array([[[20 + 60 * x + 13 * y] for x in range(4)] for y in range(4)], dtype=np.uint8)
+
+    def texture(values, filter_type):
+        return {"type": "bitmap", "bitmap": mi.Bitmap(values), "raw": True, "filter_type": filter_type}
+
+    def card(x, z, bsdf, opacity):
+        return quad((x, 0.1, z), (x + 1.1, 0.1, z + 0.4), (x + 1.1, 1.4, z + 0.4), (x, 1.4, z), bsdf,
+                    uv=texture_corners(0, 0, 1, 1), opacity=opacity)
+
+    return {
+        "depth": -1,
+        "camera": camera([0.3, 1.6, 4.5], [0, 0.5, 0], 36),
+        "shapes": [
+            quad((-3, 0, 3), (3, 0, 3), (3, 0, -3), (-3, 0, -3), lambert(0.5, 0.6, 0.7)),
+            ball((0, 0.6, -1), 0.55, lambert(0.8, 0.2, 0.1)),
+            card(-1.9, 0.3, gltf([0.2, 0.7, 0.3], 0.0, 0.4), 0.35),
+            card(-0.6, 0.5, gltf([0.9, 0.8, 0.3], 1.0, 0.5), texture(alpha, "bilinear")),
+            card(0.7, 0.4, lambert(0.3, 0.3, 0.8), texture(np.where(alpha >= 128, 255, 0).astype(np.uint8), "nearest")),
+        ],
+        "environment": sky(120, 0.8),
+    }
+
+
+SCENES = {f.__name__: (f, spp) for f, spp in ((box, 512), (metal, 512), (materials, 512), (punctual, 256), (lens, 256),
+                                              (transparency, 512))}
 
 
 def render(name):

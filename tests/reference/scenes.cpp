@@ -84,12 +84,16 @@ int lambert(SceneBuilder& builder, vec3 albedo, vec3 emissive = vec3(0)) {
     return builder.material(m);
 }
 
-int gltf(SceneBuilder& builder, vec3 base, float metallic, float roughness) {
+Material gltf_material(vec3 base, float metallic, float roughness) {
     Material m;
     m.base_color = vec4(base, 1);
     m.metallic = metallic;
     m.roughness = roughness;
-    return builder.material(m);
+    return m;
+}
+
+int gltf(SceneBuilder& builder, vec3 base, float metallic, float roughness) {
+    return builder.material(gltf_material(base, metallic, roughness));
 }
 
 CameraData view(vec3 eye, vec3 target, float vertical_degrees) {
@@ -223,9 +227,42 @@ ReferenceCase reference_lens() {
             -0.1f, -0.1f, 1.2f, 1.1f)}));
     }
     ReferenceCase c{b.scene, sky(-30), view({0.3f, 1, 4}, {0, 0.5f, 0}, 40), 2};
-    c.camera.lens_radius = 0.12f;
+    c.camera.lens_radius = 0.3f;
     c.camera.focus_distance = 4.2f;
     return c;
+}
+
+ReferenceCase reference_transparency() {
+    SceneBuilder b;
+    b.place(b.mesh(
+        {quad({vec3(-3, 0, 3), {3, 0, 3}, {3, 0, -3}, {-3, 0, -3}}, lambert(b, {0.5f, 0.6f, 0.7f})),
+         ball({0, 0.6f, -1}, 0.55f, lambert(b, {0.8f, 0.2f, 0.1f}))}));
+    std::vector<vec4> texels;
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x)
+            texels.emplace_back(1, 1, 1, float(20 + 60 * x + 13 * y) / 255.0f);
+    const int image = b.image(4, 4, texels);
+    Material even = gltf_material({0.2f, 0.7f, 0.3f}, 0, 0.4f);
+    even.base_color.w = 0.35f;
+    even.alpha_mode = kAlphaBlend;
+    Material patterned = gltf_material({0.9f, 0.8f, 0.3f}, 1, 0.5f);
+    patterned.base_color_texture = slot(image, kWrapRepeat);
+    patterned.alpha_mode = kAlphaBlend;
+    Material cut = lambertian({0.3f, 0.3f, 0.8f});
+    cut.base_color_texture = slot(image, kWrapRepeat);
+    cut.base_color_texture.filter_mode = kFilterNearest;
+    cut.alpha_mode = kAlphaMask;
+    const std::pair<vec2, Material> cards[] = {
+        {{-1.9f, 0.3f}, even}, {{-0.6f, 0.5f}, patterned}, {{0.7f, 0.4f}, cut}};
+    for (const auto& [at, material] : cards) {
+        const float x = at.x, z = at.y;
+        b.place(b.mesh({textured_quad({vec3(x, 0.1f, z),
+                                       {x + 1.1f, 0.1f, z + 0.4f},
+                                       {x + 1.1f, 1.4f, z + 0.4f},
+                                       {x, 1.4f, z}},
+                                      b.material(material), 0, 0, 1, 1)}));
+    }
+    return {b.scene, sky(120, 0.8f), view({0.3f, 1.6f, 4.5f}, {0, 0.5f, 0}, 36), 0};
 }
 
 }  // namespace hm::test

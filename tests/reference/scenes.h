@@ -29,5 +29,7 @@ ReferenceCase reference_materials();
 ReferenceCase reference_punctual();
 // Textured cards before and behind the plane of focus of a thin lens.
 ReferenceCase reference_lens();
+// Cards of alpha 0.35, of a pattern of alphas, and cut out, before a ball.
+ReferenceCase reference_transparency();
 
 }  // namespace hm::test
