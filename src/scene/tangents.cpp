@@ -1,0 +1,116 @@
+#include "scene/tangents.h"
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <bit>
+#include <numeric>
+
+#include "scene/index_table.h"
+#include "scene/tangent_space.h"
+
+namespace hm {
+namespace {
+
+vec2 uv_of(const Primitive& p, std::uint32_t vertex, std::uint32_t uv_set) {
+    if (uv_set == 0) return p.vertices[vertex].uv0;
+    return p.extras.empty() ? vec2(0) : p.extras[vertex].uv1;
+}
+
+vec3 face_normal(const Primitive& p, uvec3 t) {
+    const glm::dvec3 a(p.vertices[t.x].position);
+    const glm::dvec3 n = glm::cross(glm::dvec3(p.vertices[t.y].position) - a,
+                                    glm::dvec3(p.vertices[t.z].position) - a);
+    const double size = glm::length(n);
+    return size > 0 ? vec3(n / size) : vec3(0);
+}
+
+std::vector<vec4> tangents_with_normals(const Primitive& p, std::uint32_t uv_set) {
+    std::vector<SurfacePoint> points;
+    points.reserve(p.vertices.size());
+    for (std::uint32_t v = 0; v < p.vertices.size(); ++v)
+        points.push_back({p.vertices[v].position, p.vertices[v].normal, uv_of(p, v, uv_set)});
+    return corner_tangents(points, p.triangles);
+}
+
+// Each corner is a vertex of its own, with its face's normal.
+std::vector<vec4> tangents_of_flat_faces(const Primitive& p, std::uint32_t uv_set) {
+    std::vector<SurfacePoint> points;
+    std::vector<uvec3> triangles;
+    points.reserve(3 * p.triangles.size());
+    triangles.reserve(p.triangles.size());
+    for (const uvec3& t : p.triangles) {
+        const auto first = static_cast<std::uint32_t>(points.size());
+        const vec3 normal = face_normal(p, t);
+        for (const std::uint32_t v : {t.x, t.y, t.z})
+            points.push_back({p.vertices[v].position, normal, uv_of(p, v, uv_set)});
+        triangles.emplace_back(first, first + 1, first + 2);
+    }
+    return corner_tangents(points, triangles);
+}
+
+using Bits = std::array<std::uint32_t, 5>;
+
+Bits bits_of(std::uint32_t vertex, vec4 t) {
+    return {vertex, std::bit_cast<std::uint32_t>(t.x), std::bit_cast<std::uint32_t>(t.y),
+            std::bit_cast<std::uint32_t>(t.z), std::bit_cast<std::uint32_t>(t.w)};
+}
+
+// Hands out the tangents. The first corner of a vertex keeps it; a corner that disagrees gets a
+// copy of the vertex, which it shares with all corners of that vertex and tangent.
+std::vector<std::uint32_t> split_vertices(Primitive& p, const std::vector<vec4>& corners) {
+    std::vector<std::uint32_t> new_to_old(p.vertices.size());
+    std::iota(new_to_old.begin(), new_to_old.end(), 0u);
+    std::vector<bool> taken(p.vertices.size(), false);
+    IndexTable copies(0);
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        std::uint32_t& vertex = p.triangles[c / 3][c % 3];
+        if (!taken[vertex]) {
+            taken[vertex] = true;
+            p.vertices[vertex].tangent = corners[c];
+        }
+        const Bits bits = bits_of(vertex, corners[c]);
+        if (bits_of(vertex, p.vertices[vertex].tangent) == bits) continue;
+        const auto added = static_cast<std::uint32_t>(p.vertices.size());
+        const std::uint32_t copy = copies.find_or_add(hash_words(bits), added, [&](auto other) {
+            return bits_of(new_to_old[other], p.vertices[other].tangent) == bits;
+        });
+        if (copy == added) {
+            new_to_old.push_back(vertex);
+            p.vertices.push_back(p.vertices[vertex]);
+            p.vertices.back().tangent = corners[c];
+            if (!p.extras.empty()) p.extras.push_back(p.extras[vertex]);
+        }
+        vertex = copy;
+    }
+    return new_to_old;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> generate_tangents(Primitive& primitive, std::uint32_t uv_set) {
+    const std::vector<vec4> corners = primitive.has_normals
+                                          ? tangents_with_normals(primitive, uv_set)
+                                          : tangents_of_flat_faces(primitive, uv_set);
+    primitive.has_tangents = true;
+    return split_vertices(primitive, corners);
+}
+
+void prepare_tangents(Scene& scene) {
+    struct Work {
+        Primitive* primitive;
+        std::uint32_t uv_set;
+    };
+    std::vector<Work> work;
+    for (Mesh& mesh : scene.meshes)
+        for (Primitive& p : mesh.primitives) {
+            if (p.material == kUnset || p.has_tangents) continue;
+            const TextureSlot& slot = scene.materials[std::size_t(p.material)].normal_texture;
+            if (slot.image != kUnset) work.push_back({&p, slot.uv_set});
+        }
+    tbb::parallel_for(std::size_t(0), work.size(), [&](std::size_t i) {
+        generate_tangents(*work[i].primitive, work[i].uv_set);
+    });
+}
+
+}  // namespace hm
