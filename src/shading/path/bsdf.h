@@ -82,10 +82,13 @@ HM_FN void make_bsdf(vec3 base, float metallic, float roughness, float specular_
                               (1.0f - e_average) * b.layer_multiple;
         layer = layer + (1.0f - e) * b.layer_multiple;
         b.diffuse_scale = (1.0f - layer) / max(1.0f - layer_average, 1e-4f);
-        vec3 metal = vec3(multiple_scattering(base.x, 1.0f, e_average),
-                          multiple_scattering(base.y, 1.0f, e_average),
-                          multiple_scattering(base.z, 1.0f, e_average));
-        vec3 lobe = vec3(b.layer_multiple) * (1.0f - metallic) + metal * metallic;
+        vec3 lobe = vec3(b.layer_multiple);
+        if (metallic > 0.0f) {
+            vec3 metal = vec3(multiple_scattering(base.x, 1.0f, e_average),
+                              multiple_scattering(base.y, 1.0f, e_average),
+                              multiple_scattering(base.z, 1.0f, e_average));
+            lobe = lobe * (1.0f - metallic) + metal * metallic;
+        }
         b.multiple = lobe * ((1.0f - e) * kInvPi / max(1.0f - e_average, 1e-4f));
         cosine_albedo = b.diffuse * (1.0f - layer) + lobe * (1.0f - e);
     }

@@ -27,7 +27,7 @@ HM_FN void shade_scatter(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) fr
     p.next_direction = to_world(frame, wi);
     p.pdf = pdf;
     p.weight = vec3(0.0f);
-    if (pdf > 0.0f && dot(p.next_direction, ng) > 0.0f) p.weight = f / pdf;
+    if (pdf > 0.0f && dot(p.next_direction, ng) > 0.0f) p.weight = f * (1.0f / pdf);
 }
 
 HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, float hit_distance,

@@ -56,7 +56,7 @@ HM_FN bool survive_roulette(uint number, uint bounce, HM_INOUT(vec3) throughput)
     if (bounce < kRouletteFrom) return true;
     float survival = clamp(max_component(throughput), 0.05f, 0.95f);
     if (unit_float(number) >= survival) return false;
-    throughput = throughput / survival;
+    throughput = throughput * (1.0f / survival);
     return true;
 }
 
