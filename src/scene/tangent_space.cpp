@@ -12,7 +12,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kTiny = std::numeric_limits<float>::min();  // nothing, to the reference
+constexpr double kTiny = double(std::numeric_limits<float>::min());  // nothing, to the reference
 
 // Groups of more triangles are averaged whole, opposed directions or not: to look at all pairs
 // would let a crafted file take hours.
