@@ -1,0 +1,109 @@
+// Every file of the corpus through the loader: refused with the expected code, place and message,
+// or tolerated as expected.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "corpus/report.h"
+#include "corpus/rules.h"
+#include "gltf/load.h"
+
+namespace hm::corpus {
+namespace {
+
+namespace fs = std::filesystem;
+using Outcome = Expected::Outcome;
+
+const fs::path kFolder = "broken_gltf";
+
+std::size_t warnings_of_base(Base base) {
+    static std::map<Base, std::size_t> counts;
+    const auto [found, is_new] = counts.try_emplace(base);
+    if (is_new) {
+        Case c;
+        c.file = fmt::format("plain-{}.gltf", static_cast<int>(base));
+        c.base = base;
+        Diagnostics diagnostics;
+        EXPECT_TRUE(write_files({c}, kFolder));
+        EXPECT_TRUE(load_gltf(kFolder / c.file, diagnostics));
+        found->second = diagnostics.warnings().size();
+    }
+    return found->second;
+}
+
+bool matches(const Expected& expected, std::string_view place, const std::string& message) {
+    return place == expected.place && message.find(expected.message) != std::string::npos;
+}
+
+std::string all_lines(const Diagnostics& diagnostics) {
+    std::string text;
+    for (const Warning& warning : diagnostics.warnings())
+        text += "\n    " + warning.place + ": " + warning.message;
+    return text;
+}
+
+// What is wrong with how the file was taken; empty where nothing is.
+std::string mismatch(const Case& c) {
+    const Expected& expected = c.expected;
+    Diagnostics diagnostics;
+    const auto scene = load_gltf(kFolder / c.file, diagnostics);
+    if (expected.outcome == Outcome::pending) return {};
+    if (!scene) {
+        const Error& error = scene.error();
+        if (expected.outcome == Outcome::refused && error.code == expected.code &&
+            matches(expected, error.place, error.message) && !error.message.empty())
+            return {};
+        return fmt::format("refused, code {}, {}: {}", static_cast<int>(error.code), error.place,
+                           error.message);
+    }
+    const auto& warnings = diagnostics.warnings();
+    const bool warned = std::any_of(warnings.begin(), warnings.end(), [&](const Warning& w) {
+        // A GLB's byte offsets depend on the base's size.
+        return matches(expected, w.place.starts_with("byte ") ? "" : w.place, w.message);
+    });
+    if (expected.outcome == Outcome::warned && warned) return {};
+    if (expected.outcome == Outcome::ignored && warnings.size() == warnings_of_base(c.base))
+        return {};
+    return "loaded, warnings:" + all_lines(diagnostics);
+}
+
+TEST(BrokenFiles, AreRefusedOrToleratedAsExpected) {
+    const std::vector<Case> cases = all_cases();
+    EXPECT_GE(cases.size(), 400u);
+    ASSERT_TRUE(write_files(cases, kFolder));
+    for (const Case& c : cases) {
+        const std::string text = mismatch(c);
+        EXPECT_TRUE(text.empty()) << c.file << " (" << c.rule << ")\n  " << text << "\n  expected "
+                                  << static_cast<int>(c.expected.code) << ", " << c.expected.place
+                                  << ": " << c.expected.message << c.expected.reason;
+    }
+}
+
+TEST(BrokenFiles, TheirValidOriginalsLoad) {
+    const std::vector<Case> cases = base_cases();
+    ASSERT_TRUE(write_files(cases, kFolder));
+    for (const Case& c : cases) {
+        Diagnostics diagnostics;
+        const auto scene = load_gltf(kFolder / c.file, diagnostics);
+        // Some show an extension that is not supported yet.
+        const bool supported = scene || scene.error().code != ExitCode::unsupported;
+        EXPECT_TRUE(scene || !supported) << scene.error().line();
+    }
+}
+
+TEST(BrokenFiles, TheTableOfDisagreementsIsUpToDate) {
+    const char* source = std::getenv("HIMALAYA_SOURCE_DIR");
+    std::ifstream file(fs::path(source != nullptr ? source : ".") / "docs/gltf-disagreements.md",
+                       std::ios::binary);
+    const std::string table((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_TRUE(table == disagreements(all_cases()))
+        << "run generate_corpus FOLDER docs/gltf-disagreements.md";
+}
+
+}  // namespace
+}  // namespace hm::corpus

@@ -1,0 +1,105 @@
+// Collects the cases of the corpus. What the schema says of a property gives the usual violations
+// of it; what the specification says in words is added one by one.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "corpus/case.h"
+
+namespace hm::corpus {
+
+// The cases that one call added, to change what is expected of them.
+class Added {
+  public:
+    Added(std::vector<Case>& cases, std::size_t first) : cases_(cases), first_(first) {}
+    Added& expect(const Expected& expected);
+    Added& silent(const Silence& reason);  // the validator reports no error
+
+  private:
+    std::vector<Case>& cases_;
+    std::size_t first_;
+};
+
+// One object of a base document.
+class Object {
+  public:
+    // `name` starts the file names: "accessor" at `place` "/accessors/0".
+    Object(std::vector<Case>& cases, std::string name, std::string section, std::string place,
+           Base base = Base::still)
+        : cases_(cases),
+          name_(std::move(name)),
+          section_(std::move(section)),
+          place_(std::move(place)),
+          base_(base) {}
+
+    // What is expected of everything added from here on, whatever the single calls say.
+    void always(const Expected& expected) { always_ = {expected}; }
+
+    // Absent; of another type; -1 and 0.5; past the end of the things counted.
+    Added required(std::string_view key);
+    Added flag(std::string_view key);
+    Added text(std::string_view key);
+    Added integer(std::string_view key);
+    Added choice(std::string_view key);  // an integer from a list
+    Added index(std::string_view key);
+    Added number(std::string_view key);
+    Added object(std::string_view key);
+    // Another type, and elements of another type.
+    Added objects(std::string_view key);
+    Added indices(std::string_view key);
+    // Another type, an element of another type, one too few and one too many of `valid`.
+    Added numbers(std::string_view key, const std::vector<std::string>& valid);
+    // "extensions", which every object may have, read; "name" and "extensions", the latter not
+    // read.
+    Added extensions();
+    Added common(bool has_name = true);
+
+    // `key` with this value; `slug` ends the file's name. The default is a refusal at the value.
+    // `unlisted` is for values outside a list.
+    Added value(std::string_view key, std::string_view slug, std::string_view json,
+                std::string_view rule, std::string_view message);
+    Added unlisted(std::string_view key, std::string_view slug, std::string_view json,
+                   std::string_view rule, std::string_view message);
+    Added empty(std::string_view key);  // []
+    // Any other change.
+    Added rule(std::string_view slug, std::string_view rule, Edits edits, Expected expected);
+
+    std::string place(std::string_view key) const;
+
+  private:
+    Added wrong_type(std::string_view key, std::string_view json, std::string_view type,
+                     std::string_view found);
+
+    std::vector<Case>& cases_;
+    std::string name_;
+    std::string section_;
+    std::string place_;
+    Base base_;
+    std::vector<Expected> always_;  // none or one
+};
+
+// The tables, by topic.
+void add_root_rules(std::vector<Case>& cases);
+void add_buffer_rules(std::vector<Case>& cases);
+void add_accessor_rules(std::vector<Case>& cases);
+void add_mesh_rules(std::vector<Case>& cases);
+void add_texture_rules(std::vector<Case>& cases);
+void add_material_rules(std::vector<Case>& cases);
+void add_camera_rules(std::vector<Case>& cases);
+void add_node_rules(std::vector<Case>& cases);
+void add_animation_rules(std::vector<Case>& cases);
+void add_skin_rules(std::vector<Case>& cases);
+void add_light_rules(std::vector<Case>& cases);
+void add_extension_rules(std::vector<Case>& cases);
+void add_text_rules(std::vector<Case>& cases);
+void add_glb_rules(std::vector<Case>& cases);
+void add_uri_rules(std::vector<Case>& cases);
+
+// The whole corpus, in a fixed order. Throws std::logic_error where a table has a mistake.
+std::vector<Case> all_cases();
+// The valid documents themselves, as .gltf and as .glb.
+std::vector<Case> base_cases();
+
+}  // namespace hm::corpus
