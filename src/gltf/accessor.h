@@ -12,11 +12,11 @@ namespace hm::gltf {
 
 std::string accessor_place(std::size_t accessor);
 
-// All components of all elements, one after the other; normalized integers as 0..1 or -1..1. Not
-// for matrices.
+// All components of all elements, one after the other; normalized integers as 0..1 or -1..1. Of
+// matrices only those of floats.
 Result<std::vector<float>> read_floats(const Source& source, std::size_t accessor);
 
-// A scalar accessor of unsigned integers.
+// All components, which are unsigned integers.
 Result<std::vector<std::uint32_t>> read_integers(const Source& source, std::size_t accessor);
 
 // An error at the accessor that names the first element with a NaN or an infinity.

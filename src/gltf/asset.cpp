@@ -83,10 +83,6 @@ Result<void> check_extensions(const Json& root, Source& source) {
                                                    "variant are used",
                                                    items.size()));
     }
-    HM_TRY_ASSIGN(const auto animations, root.objects("animations"));
-    if (!animations.empty())
-        source.warn("/animations",
-                    fmt::format("animations: {}; they are not played", animations.size()));
     return {};
 }
 

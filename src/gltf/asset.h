@@ -14,7 +14,7 @@ bool is_supported(std::string_view extension);
 Result<void> check_asset(const Json& root);
 
 // Fails if the file requires an extension that is not supported, warns of those it merely uses and
-// of animations and variants, which are not played.
+// of variants, which are not chosen.
 Result<void> check_extensions(const Json& root, Source& source);
 
 }  // namespace hm::gltf

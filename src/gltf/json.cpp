@@ -204,15 +204,21 @@ Result<float> Json::number_or(std::string_view key, float fallback) const {
     return value.value_or(fallback);
 }
 
-Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
+Result<std::vector<float>> Json::number_list(std::string_view key) const {
     HM_TRY_ASSIGN(const auto values, array(key));
-    if (!values) return false;
-    std::vector<float> read;
+    std::vector<float> out;
+    if (!values) return out;
     for (const dom::element value : *values) {
         HM_TRY_ASSIGN(const float number,
-                      to_number(value, element_place(place_of(key), read.size())));
-        read.push_back(number);
+                      to_number(value, element_place(place_of(key), out.size())));
+        out.push_back(number);
     }
+    return out;
+}
+
+Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
+    if (!has(key)) return false;
+    HM_TRY_ASSIGN(const std::vector<float> read, number_list(key));
     if (read.size() != out.size())
         return invalid(key, fmt::format("expected {} numbers, found {}", out.size(), read.size()));
     std::copy(read.begin(), read.end(), out.begin());

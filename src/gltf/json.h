@@ -56,6 +56,8 @@ class Json {
     Result<float> number_or(std::string_view key, float fallback) const;
     // An array of exactly out.size() numbers; false, and `out` as it was, where absent.
     Result<bool> numbers(std::string_view key, std::span<float> out) const;
+    // An array of any length; empty where absent.
+    Result<std::vector<float>> number_list(std::string_view key) const;
 
     // Turns an absent property into an error.
     template <class T>

@@ -4,15 +4,19 @@
 #include <new>
 
 #include "base/files.h"
+#include "gltf/animations.h"
 #include "gltf/asset.h"
 #include "gltf/cameras_lights.h"
 #include "gltf/container.h"
 #include "gltf/images.h"
+#include "gltf/instances.h"
 #include "gltf/json.h"
 #include "gltf/materials.h"
 #include "gltf/meshes.h"
 #include "gltf/nodes.h"
+#include "gltf/skins.h"
 #include "gltf/source.h"
+#include "scene/pose.h"
 
 namespace hm {
 namespace {
@@ -48,7 +52,12 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     HM_TRY_ASSIGN(scene.images, read_images(root, source, scene.materials, used_materials(scene)));
     HM_TRY_ASSIGN(scene.cameras, read_cameras(root, source));
     HM_TRY_ASSIGN(scene.lights, read_lights(root, source));
-    HM_TRY(read_nodes(root, source, scene));
+    HM_TRY_ASSIGN(const std::vector<int> scene_node, read_nodes(root, source, scene));
+    HM_TRY_ASSIGN(scene.skins, read_skins(root, source, scene_node, scene));
+    HM_TRY(check_skinned_nodes(source, scene_node, scene));
+    HM_TRY_ASSIGN(scene.animations, read_animations(root, source, scene_node, scene));
+    HM_TRY(separate_posed_meshes(source, scene));
+    HM_TRY(pose_scene(scene, std::nullopt));
     return scene;
 }
 

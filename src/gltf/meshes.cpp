@@ -7,28 +7,18 @@
 
 #include "gltf/accessor.h"
 #include "gltf/attributes.h"
+#include "gltf/budget.h"
+#include "gltf/influences.h"
 #include "gltf/materials.h"
+#include "gltf/morph.h"
 #include "gltf/triangles.h"
 
 namespace hm::gltf {
 namespace {
 
-// Takes what decoding this primitive will need from the budget, before memory is.
-Result<void> take_work(const Json& json, Source& source, std::uint64_t bytes) {
-    if (bytes > source.budget.kept_bytes || bytes > source.budget.decoded_bytes)
-        return json.invalid("", "the file's meshes decode to too much data for its size");
-    source.budget.decoded_bytes -= bytes;
-    return {};
-}
-
-Result<void> take_memory(const Json& json, Source& source, const Primitive& primitive) {
-    const std::uint64_t bytes = primitive.vertices.size() * sizeof(Vertex) +
-                                primitive.extras.size() * sizeof(VertexExtra) +
-                                primitive.triangles.size() * sizeof(uvec3);
-    if (bytes > source.budget.kept_bytes)
-        return json.invalid("", "the file's meshes decode to too much data for its size");
-    source.budget.kept_bytes -= bytes;
-    return {};
+std::uint64_t vertex_memory(const Primitive& primitive) {
+    return primitive.vertices.size() * sizeof(Vertex) +
+           primitive.extras.size() * sizeof(VertexExtra);
 }
 
 // The vertices in drawing order; without an accessor simply all of them.
@@ -86,6 +76,20 @@ void check_texture_coordinates(const Json& json, Source& source, const Material&
     }
 }
 
+// What moves the vertices. `count` and `kept` as in read_targets.
+Result<void> read_deformation(const Json& json, Source& source, std::uint32_t count,
+                              const std::vector<std::uint32_t>& kept, Primitive& primitive) {
+    auto deformation = std::make_shared<Deformation>();
+    HM_TRY_ASSIGN(deformation->targets, read_targets(json, source, primitive, count, kept));
+    HM_TRY(read_influences(json, source, count, kept, *deformation));
+    if (deformation->targets.empty() && deformation->influences == 0) return {};
+    HM_TRY(take_memory(json, source, vertex_memory(primitive)));
+    deformation->rest = primitive.vertices;
+    deformation->rest_extras = primitive.extras;
+    primitive.deformation = std::move(deformation);
+    return {};
+}
+
 // Nothing for what makes no triangles.
 Result<std::optional<Primitive>> read_primitive(const Json& json, Source& source,
                                                 const std::vector<Material>& materials) {
@@ -105,8 +109,10 @@ Result<std::optional<Primitive>> read_primitive(const Json& json, Source& source
     primitive.triangles = make_triangles(*topology, indices);
     if (primitive.triangles.empty()) return std::nullopt;
     HM_TRY(read_vertices(*attributes, source, primitive));
-    drop_unused_vertices(primitive);
-    HM_TRY(take_memory(json, source, primitive));
+    const std::vector<std::uint32_t> kept = drop_unused_vertices(primitive);
+    HM_TRY(take_memory(json, source,
+                       vertex_memory(primitive) + primitive.triangles.size() * sizeof(uvec3)));
+    HM_TRY(read_deformation(json, source, attributes->count, kept, primitive));
     return primitive;
 }
 
@@ -116,26 +122,21 @@ Result<std::vector<Mesh>> read_meshes(const Json& root, Source& source,
                                       const std::vector<Material>& materials) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("meshes"));
     std::vector<Mesh> meshes;
-    std::size_t morphed = 0;
     for (const Json& item : items) {
         Mesh mesh;
         HM_TRY_ASSIGN(mesh.name, item.name());
         HM_TRY_ASSIGN(const std::vector<Json> primitives, item.objects("primitives"));
         if (primitives.empty()) source.warn(item.place(), "a mesh without primitives");
-        bool has_targets = false;
+        HM_TRY_ASSIGN(const std::size_t target_count, count_targets(item, primitives));
+        HM_TRY_ASSIGN(mesh.weights, read_weights(item, target_count));
+        mesh.weights.resize(target_count, 0.0f);
         for (const Json& json : primitives) {
             HM_TRY_ASSIGN(std::optional<Primitive> primitive,
                           read_primitive(json, source, materials));
             if (primitive) mesh.primitives.push_back(std::move(*primitive));
-            has_targets = has_targets || json.has("targets");
         }
-        if (has_targets) ++morphed;
         meshes.push_back(std::move(mesh));
     }
-    if (morphed > 0)
-        source.warn("/meshes", fmt::format("meshes with morph targets: {}; they stay at rest, "
-                                           "morphing is not supported",
-                                           morphed));
     return meshes;
 }
 

@@ -9,7 +9,7 @@
 
 namespace hm::gltf {
 
-// One scene mesh per mesh of the file, in its order. Morph targets stay at rest.
+// One scene mesh per mesh of the file, in its order, at rest.
 Result<std::vector<Mesh>> read_meshes(const Json& root, Source& source,
                                       const std::vector<Material>& materials);
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "gltf/morph.h"
 #include "gltf/transform.h"
 
 namespace hm::gltf {
@@ -22,14 +23,23 @@ tl::unexpected<Error> broken(const Source& source, std::size_t node, std::string
     return fail(ExitCode::invalid, source.file, fmt::format("/nodes/{}", node), std::move(message));
 }
 
-Result<FileNode> read_node(const Json& item, std::size_t node_count, const Scene& scene) {
+struct Counts {
+    std::size_t nodes, skins;
+};
+
+Result<FileNode> read_node(const Json& item, const Counts& counts, const Scene& scene) {
     FileNode out;
     HM_TRY_ASSIGN(out.node.name, item.name());
-    HM_TRY_ASSIGN(out.node.local, read_transform(item));
+    HM_TRY(read_transform(item, out.node));
     HM_TRY_ASSIGN(const auto mesh, item.index("mesh", scene.meshes.size(), "meshes"));
+    HM_TRY_ASSIGN(const auto skin, item.index("skin", counts.skins, "skins"));
+    if (skin && !mesh) return item.invalid("skin", "a node without a mesh has no skin");
+    HM_TRY_ASSIGN(out.node.weights,
+                  read_weights(item, mesh ? scene.meshes[*mesh].weights.size() : 0));
     HM_TRY_ASSIGN(const auto camera, item.index("camera", scene.cameras.size(), "cameras"));
-    HM_TRY_ASSIGN(out.children, item.indices("children", node_count, "nodes"));
+    HM_TRY_ASSIGN(out.children, item.indices("children", counts.nodes, "nodes"));
     out.node.mesh = to_int(mesh);
+    out.node.skin = to_int(skin);
     out.node.camera = to_int(camera);
     HM_TRY_ASSIGN(const auto lights, item.extension("KHR_lights_punctual"));
     if (lights) {
@@ -99,11 +109,10 @@ Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
     return roots;
 }
 
-// Depth first, so that parents come before children and siblings keep their order. Returns where in
-// the file each node came from.
-std::vector<std::size_t> flatten(std::vector<FileNode>& nodes,
-                                 const std::vector<std::size_t>& roots, Scene& scene) {
-    std::vector<std::size_t> origin;
+// Depth first, so that parents come before children and siblings keep their order. Returns the new
+// index of each node, or kUnset.
+std::vector<int> flatten(std::vector<FileNode>& nodes, const std::vector<std::size_t>& roots,
+                         Scene& scene) {
     std::vector<int> new_index(nodes.size(), kUnset);
     std::vector<std::size_t> open(roots.rbegin(), roots.rend());
     while (!open.empty()) {
@@ -114,10 +123,9 @@ std::vector<std::size_t> flatten(std::vector<FileNode>& nodes,
         if (parent != kUnset) file_node.node.parent = new_index[std::size_t(parent)];
         new_index[at] = static_cast<int>(scene.nodes.size());
         scene.nodes.push_back(std::move(file_node.node));
-        origin.push_back(at);
         open.insert(open.end(), file_node.children.rbegin(), file_node.children.rend());
     }
-    return origin;
+    return new_index;
 }
 
 bool is_finite(const glm::mat4& m) {
@@ -129,28 +137,23 @@ bool is_finite(const glm::mat4& m) {
 
 }  // namespace
 
-Result<void> read_nodes(const Json& root, Source& source, Scene& scene) {
+Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& scene) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("nodes"));
+    HM_TRY_ASSIGN(const std::vector<Json> skins, root.objects("skins"));
     std::vector<FileNode> nodes;
     nodes.reserve(items.size());
-    std::size_t skinned = 0;
     for (const Json& item : items) {
-        HM_TRY_ASSIGN(FileNode node, read_node(item, items.size(), scene));
-        if (item.has("skin")) ++skinned;
+        HM_TRY_ASSIGN(FileNode node, read_node(item, {items.size(), skins.size()}, scene));
         nodes.push_back(std::move(node));
     }
-    if (skinned > 0)
-        source.warn("/nodes", fmt::format("skinned nodes: {}; they are drawn in the mesh's own "
-                                          "pose, skinning is not supported",
-                                          skinned));
     HM_TRY(link_parents(source, nodes));
     HM_TRY_ASSIGN(const auto roots, choose_roots(root, source, nodes));
-    const std::vector<std::size_t> origin = flatten(nodes, roots, scene);
+    std::vector<int> scene_node = flatten(nodes, roots, scene);
     const std::vector<glm::mat4> world = world_transforms(scene);
-    for (std::size_t i = 0; i < world.size(); ++i)
-        if (!is_finite(world[i]))
-            return broken(source, origin[i], "its world transform overflows a 32-bit float");
-    return {};
+    for (std::size_t i = 0; i < scene_node.size(); ++i)
+        if (scene_node[i] != kUnset && !is_finite(world[std::size_t(scene_node[i])]))
+            return broken(source, i, "its world transform overflows a 32-bit float");
+    return scene_node;
 }
 
 }  // namespace hm::gltf

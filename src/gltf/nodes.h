@@ -10,6 +10,7 @@
 namespace hm::gltf {
 
 // Fills scene.nodes; meshes, cameras and lights are there already. Any depth of nesting is fine.
-Result<void> read_nodes(const Json& root, Source& source, Scene& scene);
+// Returns the scene's index of each of the file's nodes, or kUnset.
+Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& scene);
 
 }  // namespace hm::gltf

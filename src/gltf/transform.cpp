@@ -1,7 +1,5 @@
 #include "gltf/transform.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 
@@ -9,55 +7,53 @@ namespace hm::gltf {
 namespace {
 
 Result<glm::mat4> read_matrix(const Json& node) {
-    std::array<float, 16> m{};  // columns, as glm has them
+    std::array<float, 16> m{};
     HM_TRY(node.numbers("matrix", m));
-    // Exporters write the last row with rounding errors; more than that is a projection.
-    constexpr float kTolerance = 1e-4f;
-    if (std::abs(m[3]) > kTolerance || std::abs(m[7]) > kTolerance ||
-        std::abs(m[11]) > kTolerance || std::abs(m[15] - 1) > kTolerance)
-        return node.invalid("matrix", "its last row is not 0 0 0 1");
-    glm::mat4 out(1);
-    for (std::size_t column = 0; column < 4; ++column)
-        for (std::size_t row = 0; row < 3; ++row)
-            out[column][row] = m[4 * column + row];
-    return out;
+    const auto matrix = affine_matrix(m);
+    if (!matrix) return node.invalid("matrix", "its last row is not 0 0 0 1");
+    return *matrix;
 }
 
-// The rotation of a quaternion x, y, z, w, which need not have unit length.
-Result<glm::dmat3> read_rotation(const Json& node) {
-    std::array<float, 4> q{0, 0, 0, 1};
-    HM_TRY(node.numbers("rotation", q));
-    double x = double{q[0]}, y = double{q[1]}, z = double{q[2]}, w = double{q[3]};
-    const double size = std::sqrt(x * x + y * y + z * z + w * w);
-    if (size == 0) return node.invalid("rotation", "a zero quaternion is no rotation");
-    x /= size, y /= size, z /= size, w /= size;
-    return glm::dmat3(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w),
-                      2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
-                      2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y));
+template <class Vector>
+Result<void> read_vector(const Json& node, std::string_view key, Vector& out) {
+    return node.numbers(key, std::span<float>(&out[0], std::size_t(Vector::length())))
+        .map([](bool) {});
 }
 
 }  // namespace
 
-Result<glm::mat4> read_transform(const Json& node) {
-    const bool has_parts = node.has("translation") || node.has("rotation") || node.has("scale");
-    if (node.has("matrix")) {
+std::optional<glm::mat4> affine_matrix(std::span<const float, 16> columns) {
+    // Exporters write the last row with rounding errors; more than that is a projection.
+    constexpr float kTolerance = 1e-4f;
+    glm::mat4 out(1);
+    for (int column = 0; column < 4; ++column) {
+        const float* from = columns.data() + 4 * column;
+        if (!(std::abs(from[3] - out[column][3]) <= kTolerance)) return std::nullopt;
+        for (int row = 0; row < 3; ++row)
+            out[column][row] = from[row];
+    }
+    return out;
+}
+
+Result<void> read_transform(const Json& json, Node& node) {
+    const bool has_parts = json.has("translation") || json.has("rotation") || json.has("scale");
+    if (json.has("matrix")) {
         if (has_parts)
-            return node.invalid("matrix",
+            return json.invalid("matrix",
                                 "a node has a matrix or translation, rotation and scale, "
                                 "not both");
-        return read_matrix(node);
+        HM_TRY_ASSIGN(node.local, read_matrix(json));
+        return {};
     }
-    if (!has_parts) return glm::mat4(1);
-    std::array<float, 3> translation{0, 0, 0};
-    std::array<float, 3> scale{1, 1, 1};
-    HM_TRY(node.numbers("translation", translation));
-    HM_TRY(node.numbers("scale", scale));
-    HM_TRY_ASSIGN(const glm::dmat3 rotation, read_rotation(node));
-    glm::mat4 out(1);
-    for (std::size_t column = 0; column < 3; ++column)
-        out[column] = vec4(vec3(rotation[column] * double{scale[column]}), 0);
-    out[3] = vec4(translation[0], translation[1], translation[2], 1);
-    return out;
+    Transform rest;
+    HM_TRY(read_vector(json, "translation", rest.translation));
+    HM_TRY(read_vector(json, "scale", rest.scale));
+    HM_TRY(read_vector(json, "rotation", rest.rotation));
+    if (rest.rotation == vec4(0))
+        return json.invalid("rotation", "a zero quaternion is no rotation");
+    node.rest = rest;
+    node.local = to_matrix(rest);
+    return {};
 }
 
 }  // namespace hm::gltf

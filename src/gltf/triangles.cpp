@@ -21,8 +21,9 @@ std::vector<uvec3> make_triangles(Topology topology, const std::vector<std::uint
     return out;
 }
 
-void drop_unused_vertices(Primitive& primitive) {
-    if (primitive.vertices.size() <= 3 * primitive.triangles.size()) return;
+std::vector<std::uint32_t> drop_unused_vertices(Primitive& primitive) {
+    if (primitive.vertices.size() <= 3 * primitive.triangles.size()) return {};
+    std::vector<std::uint32_t> kept;
     std::vector<std::uint32_t> new_index(primitive.vertices.size(), kNone);
     std::vector<Vertex> vertices;
     std::vector<VertexExtra> extras;
@@ -31,6 +32,7 @@ void drop_unused_vertices(Primitive& primitive) {
             std::uint32_t& moved = new_index[triangle[c]];
             if (moved == kNone) {
                 moved = static_cast<std::uint32_t>(vertices.size());
+                kept.push_back(triangle[c]);
                 vertices.push_back(primitive.vertices[triangle[c]]);
                 if (!primitive.extras.empty()) extras.push_back(primitive.extras[triangle[c]]);
             }
@@ -41,6 +43,7 @@ void drop_unused_vertices(Primitive& primitive) {
     extras.shrink_to_fit();
     primitive.vertices = std::move(vertices);
     primitive.extras = std::move(extras);
+    return kept;
 }
 
 }  // namespace hm::gltf

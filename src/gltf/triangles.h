@@ -16,7 +16,8 @@ enum class Topology : std::uint32_t { triangles = 4, strip = 5, fan = 6 };
 std::vector<uvec3> make_triangles(Topology topology, const std::vector<std::uint32_t>& indices);
 
 // Drops vertices that no triangle uses where there must be such: primitives of one mesh often share
-// a vertex buffer, and each would keep all of it.
-void drop_unused_vertices(Primitive& primitive);
+// a vertex buffer, and each would keep all of it. Returns the former indices of the vertices that
+// are left, or nothing where all are.
+std::vector<std::uint32_t> drop_unused_vertices(Primitive& primitive);
 
 }  // namespace hm::gltf

@@ -109,8 +109,10 @@ void add_instances(FlatScene& flat, const Scene& scene, const std::vector<glm::m
                    Diagnostics& diagnostics) {
     const std::vector<Bounds> local_bounds = mesh_bounds(scene);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        if (scene.nodes[i].mesh == kUnset) continue;
-        glm::dmat4 to_world(world[i]);
+        const Node& node = scene.nodes[i];
+        if (node.mesh == kUnset) continue;
+        const glm::mat4 placed = node.skin == kUnset ? world[i] : glm::mat4(1);
+        glm::dmat4 to_world(placed);
         double determinant = glm::determinant(glm::dmat3(to_world));
         glm::dmat4 to_object = glm::inverse(to_world);
         if (determinant == 0.0 || !all_finite(to_object)) {
@@ -118,11 +120,11 @@ void add_instances(FlatScene& flat, const Scene& scene, const std::vector<glm::m
             continue;
         }
         InstanceData instance{};
-        instance.object_to_world = mat4x3(world[i]);
+        instance.object_to_world = mat4x3(placed);
         instance.world_to_object = mat4x3(to_object);
-        instance.mesh = std::uint32_t(scene.nodes[i].mesh);
+        instance.mesh = std::uint32_t(node.mesh);
         instance.first_geometry = flat.mesh_first_geometry[instance.mesh];
-        instance.flags = determinant < 0.0 ? kInstanceFlipped : 0u;
+        instance.flags = determinant < 0.0 || node.skin_mirrors ? kInstanceFlipped : 0u;
         grow_by_instance(flat.bounds, local_bounds[instance.mesh], instance.object_to_world);
         flat.instances.push_back(instance);
     }

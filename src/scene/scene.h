@@ -3,10 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "image/image.h"
+#include "scene/animation.h"
+#include "scene/deformation.h"
+#include "scene/transform.h"
 #include "shading/structs.h"
 
 namespace hm {
@@ -53,11 +58,22 @@ struct Primitive {
     int material = kUnset;  // kUnset: glTF's default material
     bool has_normals = false;
     bool has_tangents = false;
+    // Where there is one, scene/pose makes `vertices` and `extras` from it.
+    std::shared_ptr<const Deformation> deformation;
 };
 
 struct Mesh {
     std::string name;
     std::vector<Primitive> primitives;
+    std::vector<float> weights{};  // of its morph targets, as many in every primitive
+};
+
+// `joints` are nodes, in the order in which the meshes number them; a vertex is at rest in the
+// space that `inverse_bind` leads to from the mesh's.
+struct Skin {
+    std::string name;
+    std::vector<int> joints;
+    std::vector<glm::mat4> inverse_bind;  // as many
 };
 
 struct Camera {
@@ -83,9 +99,15 @@ struct Node {
     std::string name;
     int parent = kUnset;
     glm::mat4 local{1};
+    std::optional<Transform> rest;  // what `local` is where no animation moves the node
     int mesh = kUnset;
     int camera = kUnset;
     int light = kUnset;
+    // With a skin the mesh's vertices are in world space, and the node's transform does not move
+    // them. Such a mesh belongs to this node alone, or to nodes that pose it alike.
+    int skin = kUnset;
+    bool skin_mirrors = false;   // set by posing: the joints turn the triangles' winding around
+    std::vector<float> weights;  // of the mesh's morph targets; empty: the mesh's own
 };
 
 struct Scene {
@@ -96,6 +118,8 @@ struct Scene {
     std::vector<Image> images;  // rgba8 or rgba16, encoded as stored
     std::vector<Camera> cameras;
     std::vector<Light> lights;
+    std::vector<Skin> skins;
+    std::vector<Animation> animations;
 };
 
 // World transform of each node.

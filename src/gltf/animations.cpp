@@ -1,0 +1,203 @@
+#include "gltf/animations.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <set>
+#include <utility>
+
+#include "gltf/accessor.h"
+#include "gltf/budget.h"
+
+namespace hm::gltf {
+namespace {
+
+struct PathName {
+    std::string_view name;
+    AnimatedProperty property;
+    ElementType type;
+    bool encoded;  // normalized integers are allowed
+};
+constexpr std::array<PathName, 4> kPaths{
+    {{"translation", AnimatedProperty::translation, ElementType::vec3, false},
+     {"rotation", AnimatedProperty::rotation, ElementType::vec4, true},
+     {"scale", AnimatedProperty::scale, ElementType::vec3, false},
+     {"weights", AnimatedProperty::weights, ElementType::scalar, true}}};
+
+const PathName* find_path(std::string_view name) {
+    for (const PathName& path : kPaths)
+        if (path.name == name) return &path;
+    return nullptr;
+}
+
+Result<Interpolation> read_interpolation(const Json& json) {
+    HM_TRY_ASSIGN(const auto name, json.text("interpolation"));
+    if (!name || *name == "LINEAR") return Interpolation::linear;
+    if (*name == "STEP") return Interpolation::step;
+    if (*name == "CUBICSPLINE") return Interpolation::cubic_spline;
+    return json.invalid("interpolation", fmt::format("{} is no interpolation", excerpt(*name)));
+}
+
+Result<std::size_t> required_accessor(const Json& json, const Source& source,
+                                      std::string_view key) {
+    return json.required(key, json.index(key, source.accessors.size(), "accessors"));
+}
+
+Result<std::vector<float>> read_values(const Json& json, Source& source, std::size_t index) {
+    const Accessor& accessor = source.accessors[index];
+    const std::uint64_t bytes =
+        std::uint64_t{accessor.count} * component_count(accessor.type) * sizeof(float);
+    HM_TRY(take_work(json, source, bytes));
+    HM_TRY(take_memory(json, source, bytes));
+    HM_TRY_ASSIGN(std::vector<float> values, read_floats(source, index));
+    HM_TRY(check_finite(source, index, values));
+    return values;
+}
+
+Result<std::vector<float>> read_times(const Json& json, Source& source) {
+    HM_TRY_ASSIGN(const std::size_t index, required_accessor(json, source, "input"));
+    const Accessor& accessor = source.accessors[index];
+    if (accessor.type != ElementType::scalar || accessor.component != ComponentType::float32)
+        return json.invalid("input", "times are scalars of floats");
+    HM_TRY_ASSIGN(std::vector<float> times, read_values(json, source, index));
+    for (std::size_t i = 0; i < times.size(); ++i)
+        if (times[i] < 0 || (i > 0 && !(times[i] > times[i - 1])))
+            return json.invalid("input",
+                                fmt::format("element {} of accessor {}, {}, {}", i, index, times[i],
+                                            times[i] < 0 ? "is negative" : "does not increase"));
+    return times;
+}
+
+struct FileSampler {
+    AnimationSampler sampler;
+    std::size_t output;  // accessor
+};
+
+Result<FileSampler> read_sampler(const Json& json, Source& source) {
+    FileSampler out;
+    HM_TRY_ASSIGN(out.sampler.interpolation, read_interpolation(json));
+    HM_TRY_ASSIGN(out.sampler.times, read_times(json, source));
+    HM_TRY_ASSIGN(out.output, required_accessor(json, source, "output"));
+    HM_TRY_ASSIGN(out.sampler.values, read_values(json, source, out.output));
+    if (out.sampler.interpolation == Interpolation::cubic_spline && out.sampler.times.size() < 2)
+        return json.invalid("input", "a cubic spline has at least two keyframes");
+    return out;
+}
+
+// A key's value of length zero is no rotation.
+Result<void> check_rotations(const Source& source, const FileSampler& from) {
+    const AnimationSampler& s = from.sampler;
+    const bool cubic = s.interpolation == Interpolation::cubic_spline;
+    for (std::size_t key = 0; key < s.times.size(); ++key) {
+        const float* q = s.values.data() + 4 * (cubic ? 3 * key + 1 : key);
+        if (q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
+            return fail(ExitCode::invalid, source.file, accessor_place(from.output),
+                        fmt::format("the rotation of key {} is a zero quaternion", key));
+    }
+    return {};
+}
+
+// The sampler's output is what the channel's property takes, `per_key` elements for each key.
+Result<void> check_output(const Json& channel, const Source& source, const PathName& path,
+                          std::size_t per_key, const FileSampler& from) {
+    const Accessor& accessor = source.accessors[from.output];
+    if (accessor.type != path.type ||
+        (accessor.component != ComponentType::float32 && !(path.encoded && accessor.normalized)))
+        return channel.invalid("sampler",
+                               fmt::format("its output, accessor {}, has a type that {} can't have",
+                                           from.output, path.name));
+    const bool cubic = from.sampler.interpolation == Interpolation::cubic_spline;
+    const std::uint64_t expected =
+        std::uint64_t{from.sampler.times.size()} * per_key * (cubic ? 3u : 1u);
+    if (accessor.count != expected)
+        return channel.invalid("sampler", fmt::format("its output, accessor {}, has {} elements "
+                                                      "where {} are needed",
+                                                      from.output, accessor.count, expected));
+    if (path.property == AnimatedProperty::rotation) return check_rotations(source, from);
+    return {};
+}
+
+class AnimationReader {
+  public:
+    AnimationReader(Source& source, const std::vector<int>& scene_node, const Scene& scene)
+        : source_(source), scene_node_(scene_node), scene_(scene) {}
+
+    Result<Animation> read(const Json& json);
+
+  private:
+    Result<void> read_channel(const Json& json);
+    Result<std::size_t> values_per_key(const Json& target, const PathName& path, const Node& node);
+
+    Source& source_;
+    const std::vector<int>& scene_node_;
+    const Scene& scene_;
+    Animation animation_;
+    std::vector<FileSampler> samplers_;
+    std::set<std::pair<std::size_t, AnimatedProperty>> targets_;  // nodes of the file
+};
+
+Result<std::size_t> AnimationReader::values_per_key(const Json& target, const PathName& path,
+                                                    const Node& node) {
+    if (path.property != AnimatedProperty::weights) {
+        if (!node.rest) return target.invalid("node", "a node with a matrix can't be animated");
+        return 1;
+    }
+    const std::size_t count =
+        node.mesh == kUnset ? 0 : scene_.meshes[std::size_t(node.mesh)].weights.size();
+    if (count == 0) return target.invalid("node", "has no mesh with morph targets");
+    return count;
+}
+
+Result<void> AnimationReader::read_channel(const Json& json) {
+    HM_TRY_ASSIGN(const std::size_t sampler,
+                  json.required("sampler", json.index("sampler", samplers_.size(), "samplers")));
+    HM_TRY_ASSIGN(const Json target, json.required("target", json.object("target")));
+    HM_TRY_ASSIGN(const auto node, target.index("node", scene_node_.size(), "nodes"));
+    HM_TRY_ASSIGN(const std::string_view name, target.required("path", target.text("path")));
+    const PathName* path = find_path(name);
+    if (path == nullptr || !node) {
+        source_.warn(target.place(), "a channel whose target is not known is left out");
+        return {};
+    }
+    if (!targets_.emplace(*node, path->property).second)
+        return json.invalid("target", "another channel of the animation has the same target");
+    const int index = scene_node_[*node];
+    if (index == kUnset) return {};
+    HM_TRY_ASSIGN(const std::size_t per_key,
+                  values_per_key(target, *path, scene_.nodes[std::size_t(index)]));
+    HM_TRY(check_output(json, source_, *path, per_key, samplers_[sampler]));
+    animation_.channels.push_back({sampler, std::size_t(index), path->property});
+    return {};
+}
+
+Result<Animation> AnimationReader::read(const Json& json) {
+    HM_TRY_ASSIGN(animation_.name, json.name());
+    HM_TRY_ASSIGN(const std::vector<Json> samplers, json.objects("samplers"));
+    for (const Json& item : samplers) {
+        HM_TRY_ASSIGN(FileSampler sampler, read_sampler(item, source_));
+        samplers_.push_back(std::move(sampler));
+    }
+    HM_TRY_ASSIGN(const std::vector<Json> channels, json.objects("channels"));
+    if (channels.empty()) source_.warn(json.place(), "an animation without channels");
+    for (const Json& item : channels)
+        HM_TRY(read_channel(item));
+    for (FileSampler& from : samplers_)
+        animation_.samplers.push_back(std::move(from.sampler));
+    return std::move(animation_);
+}
+
+}  // namespace
+
+Result<std::vector<Animation>> read_animations(const Json& root, Source& source,
+                                               const std::vector<int>& scene_node,
+                                               const Scene& scene) {
+    HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("animations"));
+    std::vector<Animation> out;
+    for (const Json& item : items) {
+        HM_TRY_ASSIGN(Animation animation, AnimationReader(source, scene_node, scene).read(item));
+        out.push_back(std::move(animation));
+    }
+    return out;
+}
+
+}  // namespace hm::gltf

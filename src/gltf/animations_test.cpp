@@ -1,0 +1,208 @@
+// Animations and morph targets of files: what they mean, and what is refused.
+#include <cmath>
+
+#include "gltf/test_accessors.h"
+#include "scene/pose.h"
+
+namespace hm::gltf_test {
+namespace {
+
+std::string animation(const std::string& target, const std::string& sampler) {
+    return R"([{"name":"a","channels":[{"sampler":0,"target":)" + target + R"(}],"samplers":[)" +
+           sampler + "]}]";
+}
+
+std::string sampler(std::size_t input, std::size_t output, const char* interpolation = "LINEAR") {
+    return fmt::format(R"({{"input":{},"output":{},"interpolation":"{}"}})", input, output,
+                       interpolation);
+}
+
+std::string node_target(const char* path) {
+    return std::string(R"({"node":0,"path":")") + path + "\"}";
+}
+
+vec3 moved_origin(const Scene& scene) {
+    return vec3(scene.nodes.at(0).local * vec4(0, 0, 0, 1));
+}
+
+TEST(Animations, TranslationMovesTheNode) {
+    Accessors more;
+    const auto times = more.floats("SCALAR", 2, {1, 3});
+    const auto values = more.floats("VEC3", 2, {0, 0, 0, 4, 8, 0});
+    Loaded loaded = load_text(document(more.with(
+        {{"nodes", R"([{"mesh":0,"translation":[9,9,9]}])"},
+         {"animations", animation(node_target("translation"), sampler(times, values))}})));
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    EXPECT_TRUE(loaded.diagnostics.warnings().empty());
+    EXPECT_EQ(moved_origin(*loaded.scene), vec3(9, 9, 9));  // at rest until asked for
+    ASSERT_TRUE(pose_scene(*loaded.scene, PoseTime{0, 1.5}));
+    EXPECT_EQ(moved_origin(*loaded.scene), vec3(1, 2, 0));
+    ASSERT_TRUE(pose_scene(*loaded.scene, PoseTime{0, 100}));
+    EXPECT_EQ(moved_origin(*loaded.scene), vec3(4, 8, 0));
+    ASSERT_TRUE(pose_scene(*loaded.scene, std::nullopt));
+    EXPECT_EQ(moved_origin(*loaded.scene), vec3(9, 9, 9));
+}
+
+TEST(Animations, RotationsOfNormalizedShorts) {
+    Accessors more;
+    const auto times = more.floats("SCALAR", 1, {0});
+    const auto values =
+        more.add<std::int16_t>("VEC4", 5122, 1, {0, 0, 32767, 0}, R"(,"normalized":true)");
+    Loaded loaded = load_text(document(more.with(
+        {{"animations", animation(node_target("rotation"), sampler(times, values, "STEP"))}})));
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    ASSERT_TRUE(pose_scene(*loaded.scene, PoseTime{0, 0}));
+    const vec4 x = loaded.scene->nodes[0].local * vec4(1, 0, 0, 1);
+    EXPECT_NEAR(double(x.x), -1, 1e-6);  // half a turn
+}
+
+TEST(Animations, Refusals) {
+    Accessors more;
+    const auto times = more.floats("SCALAR", 2, {1, 3});
+    const auto values = more.floats("VEC3", 2, {0, 0, 0, 4, 8, 0});
+    const auto falling = more.floats("SCALAR", 2, {1, 1});
+    const auto negative = more.floats("SCALAR", 2, {-1, 1});
+    const auto one = more.floats("SCALAR", 1, {0});
+    const auto three = more.floats("VEC3", 3, {0, 0, 0, 0, 0, 0, 0, 0, 0});
+    const auto zeros = more.floats("VEC4", 2, {0, 0, 0, 1, 0, 0, 0, 0});
+    const auto bytes = more.add<std::uint8_t>("VEC3", 5121, 2, {0, 0, 0, 0, 0, 0});
+    const auto nan = more.floats("VEC3", 2, {0, 0, 0, std::nanf(""), 0, 0});
+    const auto with = [&](const std::string& target, const std::string& s) {
+        return more.with({{"animations", animation(target, s)}});
+    };
+    const std::string move = node_target("translation");
+    const std::string twice = R"({"sampler":0,"target":)" + move + "}";
+    const std::string good = sampler(times, values);
+    const std::string still = R"([{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}])";
+    Overrides matrix = with(move, good);
+    matrix["nodes"] = still;
+    expect_refused({
+        {"no such node", with(R"({"node":1,"path":"scale"})", good),
+         "/animations/0/channels/0/target/node", "past the end"},
+        {"no path", with(R"({"node":0})", good), "/animations/0/channels/0/target/path",
+         "required"},
+        {"matrix", matrix, "/animations/0/channels/0/target/node", "matrix"},
+        {"no targets", with(node_target("weights"), good), "/animations/0/channels/0/target/node",
+         "morph targets"},
+        {"no such sampler",
+         more.with({{"animations", R"([{"samplers":[],"channels":[)" + twice + "]}]"}}),
+         "/animations/0/channels/0/sampler", "past the end"},
+        {"twice",
+         more.with({{"animations", R"([{"samplers":[)" + good + R"(],"channels":[)" + twice + "," +
+                                       twice + "]}]"}}),
+         "/animations/0/channels/1/target", "same target"},
+        {"not increasing", with(move, sampler(falling, values)), "/animations/0/samplers/0/input",
+         "does not increase"},
+        {"negative time", with(move, sampler(negative, values)), "/animations/0/samplers/0/input",
+         "negative"},
+        {"times of vectors", with(move, sampler(values, values)), "/animations/0/samplers/0/input",
+         "scalars of floats"},
+        {"one key too many", with(move, sampler(times, three)), "/animations/0/channels/0/sampler",
+         "3 elements where 2"},
+        {"spline of two", with(move, sampler(times, values, "CUBICSPLINE")),
+         "/animations/0/channels/0/sampler", "2 elements where 6"},
+        {"spline of one key", with(move, sampler(one, three, "CUBICSPLINE")),
+         "/animations/0/samplers/0/input", "two keyframes"},
+        {"interpolation", with(move, sampler(times, values, "linear")),
+         "/animations/0/samplers/0/interpolation", "no interpolation"},
+        {"output of bytes", with(move, sampler(times, bytes)), "/animations/0/channels/0/sampler",
+         "type"},
+        {"rotation of three", with(node_target("rotation"), good),
+         "/animations/0/channels/0/sampler", "type"},
+        {"zero rotation", with(node_target("rotation"), sampler(times, zeros)), "/accessors/12",
+         "zero quaternion"},
+        {"NaN", with(move, sampler(times, nan)), "/accessors/14", "not a number"},
+        {"no input", with(move, R"({"output":7})"), "/animations/0/samplers/0/input", "required"},
+    });
+}
+
+std::string morphed_mesh(const std::string& targets, const std::string& rest = "") {
+    return R"([{"primitives":[{"indices":3,"attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":4},)"
+           R"("targets":)" +
+           targets + "}]" + rest + "}]";
+}
+
+TEST(MorphTargets, SparseAndNormalizedDeltas) {
+    Accessors more;
+    const auto index = more.add<std::uint16_t>("SCALAR", 5123, 1, {2});  // view 6
+    const auto value = more.floats("VEC3", 1, {5, 6, 7});                // view 7
+    const auto color = more.add<std::int8_t>(
+        "VEC4", 5120, 3, {-127, 0, 0, 0, 0, -127, 0, 0, 0, 0, -127, 0}, R"(,"normalized":true)");
+    ASSERT_EQ(color, 8u);
+    Overrides all = more.with(
+        {{"meshes", morphed_mesh(R"([{"POSITION":9},{"COLOR_0":8}])", R"(,"weights":[2,1])")}});
+    std::string& accessors = all["accessors"];
+    accessors.pop_back();
+    accessors += fmt::format(R"(,{{"componentType":5126,"type":"VEC3","count":3,"sparse":{{
+        "count":1,"indices":{{"bufferView":{},"componentType":5123}},
+        "values":{{"bufferView":{}}}}}}}])",
+                             index, value);
+    const Loaded loaded = load_text(document(all));
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    const Primitive& p = loaded.scene->meshes[0].primitives[0];
+    EXPECT_EQ(p.vertices[0].position, vec3(0, 0, 0));
+    EXPECT_EQ(p.vertices[2].position, vec3(10, 14, 14));  // 0 2 0 and twice 5 6 7
+    EXPECT_EQ(p.extras[0].color, vec4(0, 0, 0.2f, 1));    // red taken away
+    EXPECT_EQ(p.deformation->targets[0].positions.size(), 1u);
+}
+
+TEST(MorphTargets, NodesWithOtherWeightsGetMeshesOfTheirOwn) {
+    Accessors more;
+    const auto delta = more.floats("VEC3", 3, {1, 0, 0, 1, 0, 0, 1, 0, 0});
+    const auto times = more.floats("SCALAR", 1, {0});
+    const auto weights = more.floats("SCALAR", 1, {4});
+    const Loaded loaded = load_text(document(more.with(
+        {{"meshes",
+          morphed_mesh(fmt::format(R"([{{"POSITION":{}}}])", delta), R"(,"weights":[2])")},
+         {"nodes", R"([{"mesh":0},{"mesh":0,"weights":[3]},{"mesh":0},{"mesh":0}])"},
+         {"scenes", R"([{"nodes":[0,1,2,3]}])"},
+         {"animations",
+          animation(R"({"node":3,"path":"weights"})", sampler(times, weights, "STEP"))}})));
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    Scene scene = *loaded.scene;
+    EXPECT_EQ(scene.meshes.size(), 3u);
+    EXPECT_EQ(scene.nodes[0].mesh, scene.nodes[2].mesh);
+    const auto x = [&](std::size_t node) {
+        return scene.meshes[std::size_t(scene.nodes[node].mesh)]
+            .primitives[0]
+            .vertices[0]
+            .position.x;
+    };
+    EXPECT_EQ(x(0), 2);
+    EXPECT_EQ(x(1), 3);
+    EXPECT_EQ(x(3), 2);
+    ASSERT_TRUE(pose_scene(scene, PoseTime{0, 0}));
+    EXPECT_EQ(x(0), 2);
+    EXPECT_EQ(x(1), 3);
+    EXPECT_EQ(x(3), 4);
+}
+
+TEST(MorphTargets, Refusals) {
+    Accessors more;
+    more.floats("VEC3", 2, {0, 0, 0, 0, 0, 0});           // 6
+    more.floats("VEC3", 3, {0, 0, 0, 0, 0, 0, 0, 0, 0});  // 7
+    const auto with = [&](const std::string& targets, const std::string& rest = "") {
+        return more.with({{"meshes", morphed_mesh(targets, rest)}});
+    };
+    Overrides uneven = with(R"([{"POSITION":7}])");
+    uneven["meshes"] = R"([{"primitives":[{"attributes":{"POSITION":0},"targets":[{"POSITION":7}]},
+        {"attributes":{"POSITION":0}}]}])";
+    Overrides node = with(R"([{"POSITION":7}])");
+    node["nodes"] = R"([{"mesh":0,"weights":[]}])";
+    expect_refused({
+        {"count", with(R"([{"POSITION":6}])"), "/meshes/0/primitives/0/targets/0/POSITION",
+         "2 elements, POSITION has 3"},
+        {"type", with(R"([{"POSITION":2}])"), "/meshes/0/primitives/0/targets/0/POSITION", "type"},
+        {"no base", with(R"([{"TANGENT":7}])"), "/meshes/0/primitives/0/targets/0/TANGENT",
+         "no such attribute"},
+        {"past the end", with(R"([{"POSITION":99}])"), "/meshes/0/primitives/0/targets/0/POSITION",
+         "past the end"},
+        {"weights of the mesh", with(R"([{"POSITION":7}])", R"(,"weights":[1,2])"),
+         "/meshes/0/weights", "2 weights for 1"},
+        {"weights of the node", node, "/nodes/0/weights", "0 weights for 1"},
+        {"not the same number", uneven, "/meshes/0/primitives", "1 morph targets, another has 0"},
+    });
+}
+
+}  // namespace
+}  // namespace hm::gltf_test

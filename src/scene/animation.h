@@ -1,0 +1,49 @@
+// Keyframe animation as glTF 2.0 describes it (3.11 and Appendix C): samplers, and the channels
+// that say what each one moves.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shading/lang.h"
+
+namespace hm {
+
+enum class Interpolation { step, linear, cubic_spline };
+
+struct AnimationSampler {
+    Interpolation interpolation = Interpolation::linear;
+    std::vector<float> times;  // seconds; strictly increasing, not empty
+    // One value of width() floats per time; of a cubic spline its in-tangent, the value and its
+    // out-tangent.
+    std::vector<float> values;
+
+    std::size_t width() const;
+};
+
+enum class AnimatedProperty { translation, rotation, scale, weights };
+
+struct Channel {
+    std::size_t sampler = 0;  // into Animation::samplers
+    std::size_t node = 0;     // into Scene::nodes
+    AnimatedProperty property = AnimatedProperty::translation;
+};
+
+// No two channels move the same property of the same node.
+struct Animation {
+    std::string name;
+    std::vector<AnimationSampler> samplers;
+    std::vector<Channel> channels;
+};
+
+// The value at a time, which is clamped to the range of the keys. `out` has room for width()
+// floats.
+void evaluate(const AnimationSampler& sampler, double seconds, std::span<float> out);
+
+// The same for quaternions (width 4, none of length zero), in unit length. Linear interpolation
+// goes along the shorter great arc.
+vec4 evaluate_rotation(const AnimationSampler& sampler, double seconds);
+
+}  // namespace hm

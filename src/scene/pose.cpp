@@ -1,0 +1,151 @@
+#include "scene/pose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace hm {
+namespace {
+
+template <class Vector>
+bool all_finite(const Vector& v) {
+    for (typename Vector::length_type i = 0; i < Vector::length(); ++i)
+        if (!std::isfinite(v[i])) return false;
+    return true;
+}
+
+bool is_finite(const glm::mat4& m) {
+    return all_finite(m[0]) && all_finite(m[1]) && all_finite(m[2]) && all_finite(m[3]);
+}
+
+vec3 evaluate_vector(const AnimationSampler& sampler, double seconds) {
+    std::array<float, 3> out{};
+    evaluate(sampler, seconds, out);
+    return vec3(out[0], out[1], out[2]);
+}
+
+// What channels replace, by node.
+struct Pose {
+    std::vector<Transform> transforms;        // of the nodes with a rest transform
+    std::vector<std::vector<float>> weights;  // of the nodes whose weights are animated
+};
+
+Pose rest_pose(const Scene& scene) {
+    Pose pose;
+    for (const Node& node : scene.nodes)
+        pose.transforms.push_back(node.rest.value_or(Transform{}));
+    pose.weights.resize(scene.nodes.size());
+    return pose;
+}
+
+const std::vector<float>& target_weights(const Scene& scene, const Pose& pose, std::size_t node) {
+    if (!pose.weights[node].empty()) return pose.weights[node];
+    if (!scene.nodes[node].weights.empty()) return scene.nodes[node].weights;
+    return scene.meshes[std::size_t(scene.nodes[node].mesh)].weights;
+}
+
+void apply(const Animation& animation, double seconds, Pose& pose) {
+    for (const Channel& channel : animation.channels) {
+        const AnimationSampler& sampler = animation.samplers[channel.sampler];
+        Transform& transform = pose.transforms[channel.node];
+        switch (channel.property) {
+            case AnimatedProperty::translation:
+                transform.translation = evaluate_vector(sampler, seconds);
+                break;
+            case AnimatedProperty::rotation:
+                transform.rotation = evaluate_rotation(sampler, seconds);
+                break;
+            case AnimatedProperty::scale:
+                transform.scale = evaluate_vector(sampler, seconds);
+                break;
+            case AnimatedProperty::weights:
+                pose.weights[channel.node].resize(sampler.width());
+                evaluate(sampler, seconds, pose.weights[channel.node]);
+                break;
+        }
+    }
+}
+
+// From the rest vertices' space to the world, per joint.
+std::vector<glm::mat4> joint_matrices(const Skin& skin, const std::vector<glm::mat4>& world) {
+    std::vector<glm::mat4> out;
+    for (std::size_t i = 0; i < skin.joints.size(); ++i)
+        out.emplace_back(glm::dmat4(world[std::size_t(skin.joints[i])]) *
+                         glm::dmat4(skin.inverse_bind[i]));
+    return out;
+}
+
+bool mostly_mirror(const std::vector<glm::mat4>& matrices) {
+    const auto mirrors = [](const glm::mat4& m) {
+        return glm::determinant(glm::dmat3(glm::dmat4(m))) < 0;
+    };
+    return 2 * std::count_if(matrices.begin(), matrices.end(), mirrors) >
+           std::ptrdiff_t(matrices.size());
+}
+
+tl::unexpected<Error> overflows(const Scene& scene, const Node& node, const char* what) {
+    return fail(ExitCode::invalid, scene.file, "",
+                fmt::format("the {} of node \"{}\" overflows a 32-bit float at this time", what,
+                            node.name));
+}
+
+bool is_finite(const Primitive& primitive) {
+    for (const Vertex& v : primitive.vertices)
+        if (!all_finite(v.position) || !all_finite(v.uv0)) return false;
+    for (const VertexExtra& e : primitive.extras)
+        if (!all_finite(e.uv1) || !all_finite(e.color)) return false;
+    return true;
+}
+
+Result<void> deform_meshes(Scene& scene, const Pose& pose, const std::vector<glm::mat4>& world) {
+    std::vector<bool> done(scene.meshes.size(), false);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        Node& node = scene.nodes[i];
+        if (node.mesh == kUnset) continue;
+        std::vector<glm::mat4> joints;
+        if (node.skin != kUnset)
+            joints = joint_matrices(scene.skins[std::size_t(node.skin)], world);
+        node.skin_mirrors = mostly_mirror(joints);
+        if (done[std::size_t(node.mesh)]) continue;
+        done[std::size_t(node.mesh)] = true;
+        for (Primitive& p : scene.meshes[std::size_t(node.mesh)].primitives) {
+            if (!p.deformation) continue;
+            deform(*p.deformation, target_weights(scene, pose, i), joints, p.vertices, p.extras);
+            if (!is_finite(p)) return overflows(scene, node, "mesh");
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> pose_scene(Scene& scene, const std::optional<PoseTime>& at) {
+    Pose pose = rest_pose(scene);
+    if (at) apply(scene.animations[at->animation], at->seconds, pose);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+        if (scene.nodes[i].rest) scene.nodes[i].local = to_matrix(pose.transforms[i]);
+    const std::vector<glm::mat4> world = world_transforms(scene);
+    for (std::size_t i = 0; i < world.size(); ++i)
+        if (!is_finite(world[i])) return overflows(scene, scene.nodes[i], "world transform");
+    return deform_meshes(scene, pose, world);
+}
+
+Result<std::size_t> find_animation(const Scene& scene, const std::string& wanted) {
+    std::string known;
+    for (std::size_t i = 0; i < scene.animations.size(); ++i) {
+        if (scene.animations[i].name == wanted) return i;
+        known += fmt::format("{}{} \"{}\"", i == 0 ? "" : ", ", i, scene.animations[i].name);
+    }
+    std::size_t index = 0;
+    const char* const end = wanted.data() + wanted.size();
+    const auto [stopped, error] = std::from_chars(wanted.data(), end, index);
+    if (error == std::errc() && stopped == end && index < scene.animations.size()) return index;
+    return fail(ExitCode::usage, scene.file, "",
+                fmt::format("--animation: there is no animation \"{}\"; the file has {}", wanted,
+                            known.empty() ? "none" : known));
+}
+
+}  // namespace hm

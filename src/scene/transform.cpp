@@ -1,0 +1,27 @@
+#include "scene/transform.h"
+
+#include <cmath>
+
+namespace hm {
+namespace {
+
+glm::dmat3 rotation_matrix(const vec4& rotation) {
+    const glm::dvec4 q = glm::dvec4(rotation) / glm::length(glm::dvec4(rotation));
+    const double x = q.x, y = q.y, z = q.z, w = q.w;
+    return glm::dmat3(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w),
+                      2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
+                      2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y));
+}
+
+}  // namespace
+
+glm::mat4 to_matrix(const Transform& transform) {
+    const glm::dmat3 rotation = rotation_matrix(transform.rotation);
+    glm::mat4 out(1);
+    for (int column = 0; column < 3; ++column)
+        out[column] = vec4(vec3(rotation[column] * double(transform.scale[column])), 0);
+    out[3] = vec4(transform.translation, 1);
+    return out;
+}
+
+}  // namespace hm
