@@ -76,6 +76,12 @@ JsonWriter& JsonWriter::value(bool truth) {
     return *this;
 }
 
+JsonWriter& JsonWriter::null() {
+    separate();
+    text_ += "null";
+    return *this;
+}
+
 JsonWriter& JsonWriter::integer(std::uint64_t number) {
     separate();
     text_ += fmt::format("{}", number);

@@ -20,6 +20,7 @@ class JsonWriter {
     JsonWriter& value(const char* text) { return value(std::string_view(text)); }
     JsonWriter& value(double number);
     JsonWriter& value(bool truth);
+    JsonWriter& null();
     JsonWriter& value(std::unsigned_integral auto number) { return integer(number); }
 
     template <class T>

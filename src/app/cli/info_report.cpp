@@ -1,0 +1,135 @@
+#include "app/cli/info_report.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "gltf/load.h"
+
+namespace hm::cli {
+namespace {
+
+// The scene that was loaded in place of the file's own: a name goes before an index.
+std::size_t find_scene(const std::vector<std::string>& names, const std::string& wanted) {
+    const auto named = std::find(names.begin(), names.end(), wanted);
+    if (named != names.end()) return std::size_t(named - names.begin());
+    std::size_t index = 0;
+    std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+    return index;
+}
+
+}  // namespace
+
+InfoReport examine(const InfoOptions& options) {
+    InfoReport report;
+    report.input = options.input;
+    report.scene_file = options.scene_file.string();
+    Result<FileSummary> file = read_summary(options.scene_file);
+    if (file) report.file = std::move(*file);
+    Result<Scene> scene = load_gltf(options.scene_file, report.diagnostics, options.load);
+    if (scene) {
+        report.scene = std::move(*scene);
+        if (report.file && !options.load.scene.empty())
+            report.file->scene = find_scene(report.file->scenes, options.load.scene);
+        report.flat = flatten(*report.scene, {}, {}, report.diagnostics);
+    } else {
+        report.error = std::move(scene.error());
+    }
+    return report;
+}
+
+std::uint64_t triangle_count(const Mesh& mesh) {
+    std::uint64_t count = 0;
+    for (const Primitive& primitive : mesh.primitives)
+        count += primitive.triangles.size();
+    return count;
+}
+
+std::uint64_t vertex_count(const Mesh& mesh) {
+    std::uint64_t count = 0;
+    for (const Primitive& primitive : mesh.primitives)
+        count += primitive.vertices.size();
+    return count;
+}
+
+std::size_t target_count(const Mesh& mesh) {
+    return mesh.weights.size();
+}
+
+double duration(const Animation& animation) {
+    float last = 0;
+    for (const AnimationSampler& sampler : animation.samplers)
+        if (!sampler.times.empty()) last = std::max(last, sampler.times.back());
+    return double(last);
+}
+
+std::vector<std::uint64_t> mesh_uses(const InfoReport& report) {
+    std::vector<std::uint64_t> uses(report.scene->meshes.size(), 0);
+    for (const InstanceData& instance : report.flat->instances)
+        ++uses[instance.mesh];
+    return uses;
+}
+
+InfoTotals totals(const InfoReport& report) {
+    InfoTotals t;
+    const std::vector<std::uint64_t> uses = mesh_uses(report);
+    for (std::size_t m = 0; m < uses.size(); ++m) {
+        const Mesh& mesh = report.scene->meshes[m];
+        t.primitives += mesh.primitives.size();
+        t.vertices += vertex_count(mesh);
+        t.triangles += triangle_count(mesh);
+        t.drawn_triangles += uses[m] * triangle_count(mesh);
+        t.morph_targets += target_count(mesh);
+        for (const Primitive& p : mesh.primitives)
+            t.geometry_bytes += p.vertices.size() * sizeof(Vertex) +
+                                p.extras.size() * sizeof(VertexExtra) +
+                                p.triangles.size() * sizeof(uvec3);
+    }
+    t.instances = report.flat->instances.size();
+    t.emissive_triangles = report.flat->emitters.size();
+    for (const Image& image : report.scene->images)
+        t.image_bytes += image.pixels.size();
+    return t;
+}
+
+std::vector<NamedSlot> used_slots(const Material& m) {
+    const std::array<NamedSlot, 5> all{{{"baseColor", &m.base_color_texture},
+                                        {"metallicRoughness", &m.metallic_roughness_texture},
+                                        {"normal", &m.normal_texture},
+                                        {"occlusion", &m.occlusion_texture},
+                                        {"emissive", &m.emissive_texture}}};
+    std::vector<NamedSlot> used;
+    for (const NamedSlot& named : all)
+        if (named.slot->image != kUnset) used.push_back(named);
+    return used;
+}
+
+std::vector<std::vector<std::string_view>> image_roles(const Scene& scene) {
+    std::vector<std::vector<std::string_view>> roles(scene.images.size());
+    for (const Material& material : scene.materials)
+        for (const NamedSlot& named : used_slots(material)) {
+            auto& known = roles[std::size_t(named.slot->image)];
+            if (std::find(known.begin(), known.end(), named.role) == known.end())
+                known.push_back(named.role);
+        }
+    return roles;
+}
+
+std::string_view treatment(const FileExtension& extension) {
+    return extension.supported ? "supported" : extension.required ? "refused" : "ignored";
+}
+
+std::string_view alpha_mode_name(std::uint32_t mode) {
+    return mode == kAlphaMask ? "MASK" : mode == kAlphaBlend ? "BLEND" : "OPAQUE";
+}
+
+std::string_view light_kind_name(std::uint32_t kind) {
+    return kind == kLightDirectional ? "directional" : kind == kLightSpot ? "spot" : "point";
+}
+
+std::string_view format_name(PixelFormat format) {
+    return format == PixelFormat::rgba8    ? "rgba8"
+           : format == PixelFormat::rgba16 ? "rgba16"
+                                           : "rgba32f";
+}
+
+}  // namespace hm::cli

@@ -1,0 +1,229 @@
+// The report for people. Every line goes through printable(), so a name can neither colour the
+// terminal nor pretend to be another line.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "app/cli/info_report.h"
+#include "base/text.h"
+
+namespace hm::cli {
+namespace {
+
+constexpr std::size_t kLongestList = 100;  // lines of one section; --json has no limit
+constexpr std::size_t kLongestName = 80;   // bytes
+constexpr std::size_t kDeepestIndent = 30;
+
+std::string cut(std::string_view text) {
+    if (text.size() <= kLongestName) return std::string(text);
+    std::size_t end = kLongestName;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u)
+        --end;  // within a character
+    return std::string(text.substr(0, end)) + "...";
+}
+
+std::string name_in_quotes(std::string_view name) {
+    return name.empty() ? "" : fmt::format(" \"{}\"", cut(name));
+}
+
+std::string size_text(std::uint64_t bytes) {
+    if (bytes < 1024) return fmt::format("{} bytes", bytes);
+    if (bytes < 1024 * 1024) return fmt::format("{:.1f} KiB", double(bytes) / 1024);
+    return fmt::format("{:.1f} MiB", double(bytes) / (1024 * 1024));
+}
+
+std::string plural_of(std::uint64_t count, std::string_view one, std::string_view many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string plural(std::uint64_t count, std::string_view what) {
+    return plural_of(count, what, fmt::format("{}s", what));
+}
+
+// Lines of text, of which a section shows the first ones.
+class Lines {
+  public:
+    void line(std::string_view text) { text_ += printable(text) + "\n"; }
+
+    template <class Items, class Describe>
+    void section(std::string_view title, const Items& items, Describe describe) {
+        if (items.empty()) return;
+        line("");
+        line(fmt::format("{} ({})", title, items.size()));
+        for (std::size_t i = 0; i < std::min(items.size(), kLongestList); ++i)
+            line("  " + describe(i, items[i]));
+        if (items.size() > kLongestList)
+            line(fmt::format("  ... and {} more; --json lists all", items.size() - kLongestList));
+    }
+
+    std::string text() && { return std::move(text_); }
+
+  private:
+    std::string text_;
+};
+
+std::string vector_text(vec3 v) {
+    return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z);
+}
+
+void describe_file(Lines& out, const InfoReport& report) {
+    const FileSummary& f = *report.file;
+    out.line(report.input);
+    out.line(fmt::format("  glTF {}, {}, {}", cut(f.version), f.binary ? "binary" : "text",
+                         size_text(f.bytes)));
+    if (!f.generator.empty()) out.line("  generator: " + cut(f.generator));
+    if (!f.copyright.empty()) out.line("  copyright: " + cut(f.copyright));
+    if (!f.scenes.empty())
+        out.line(fmt::format("  scene {} of {}{}", f.scene, f.scenes.size(),
+                             name_in_quotes(f.scenes[f.scene])));
+    out.section("Extensions", f.extensions, [](std::size_t, const FileExtension& e) {
+        return fmt::format("{}, {}: {}", cut(e.name), e.required ? "required" : "used",
+                           treatment(e));
+    });
+}
+
+void describe_totals(Lines& out, const InfoReport& report) {
+    const InfoTotals t = totals(report);
+    const FileCounts& in_file = report.file->counts;
+    const Bounds& bounds = report.flat->bounds;
+    out.line("");
+    out.line("Drawn");
+    if (bounds.empty()) {
+        out.line("  nothing");
+    } else {
+        out.line(fmt::format("  from {} to {} metres", vector_text(bounds.low),
+                             vector_text(bounds.high)));
+    }
+    out.line(fmt::format("  {} in {}, {} of {}", plural(t.drawn_triangles, "triangle"),
+                         plural(t.instances, "instance"), t.triangles,
+                         plural_of(report.scene->meshes.size(), "mesh", "meshes")));
+    out.line(fmt::format("  {}, {} of geometry; {} emit light",
+                         plural_of(t.vertices, "vertex", "vertices"), size_text(t.geometry_bytes),
+                         plural(t.emissive_triangles, "triangle")));
+    out.line(fmt::format("  {} of {}, {} decoded", report.scene->images.size(),
+                         plural(in_file.images, "image"), size_text(t.image_bytes)));
+}
+
+std::string node_text(const Scene& scene, const Node& node) {
+    std::string text = node.name.empty() ? "(no name)" : cut(node.name);
+    const auto add = [&](std::string_view what, int index, std::string_view name) {
+        if (index != kUnset) text += fmt::format(" [{} {}{}]", what, index, name_in_quotes(name));
+    };
+    const auto at = [](const auto& items, int index) {
+        return index == kUnset ? std::string() : items[std::size_t(index)].name;
+    };
+    add("mesh", node.mesh, at(scene.meshes, node.mesh));
+    add("skin", node.skin, at(scene.skins, node.skin));
+    add("camera", node.camera, at(scene.cameras, node.camera));
+    add("light", node.light, at(scene.lights, node.light));
+    return text;
+}
+
+void describe_nodes(Lines& out, const Scene& scene) {
+    std::vector<std::size_t> depth(scene.nodes.size(), 0);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+        if (const int parent = scene.nodes[i].parent; parent != kUnset)
+            depth[i] = depth[std::size_t(parent)] + 1;
+    out.section("Nodes", scene.nodes, [&](std::size_t i, const Node& node) {
+        return std::string(2 * std::min(depth[i], kDeepestIndent), ' ') + node_text(scene, node);
+    });
+}
+
+void describe_meshes(Lines& out, const InfoReport& report) {
+    const std::vector<std::uint64_t> uses = mesh_uses(report);
+    out.section("Meshes", report.scene->meshes, [&](std::size_t i, const Mesh& mesh) {
+        std::string text =
+            fmt::format("{}{}: {}, {} in {}, shown {}", i, name_in_quotes(mesh.name),
+                        plural_of(vertex_count(mesh), "vertex", "vertices"),
+                        plural(triangle_count(mesh), "triangle"),
+                        plural(mesh.primitives.size(), "primitive"), plural(uses[i], "time"));
+        if (target_count(mesh) > 0) text += ", " + plural(target_count(mesh), "morph target");
+        return text;
+    });
+}
+
+void describe_materials(Lines& out, const Scene& scene) {
+    out.section("Materials", scene.materials, [](std::size_t i, const Material& m) {
+        std::string text =
+            fmt::format("{}{}: {}", i, name_in_quotes(m.name), alpha_mode_name(m.alpha_mode));
+        if (m.alpha_mode == kAlphaMask) text += fmt::format(" at {:g}", m.alpha_cutoff);
+        if (m.double_sided) text += ", double sided";
+        if (m.unlit) text += ", unlit";
+        text += fmt::format(", color {} {:g}", vector_text(vec3(m.base_color)), m.base_color.w);
+        if (!m.unlit)
+            text += fmt::format(", metallic {:g}, roughness {:g}", m.metallic, m.roughness);
+        if (m.emissive != vec3(0)) text += ", emissive " + vector_text(m.emissive);
+        for (const NamedSlot& used : used_slots(m))
+            text += fmt::format(", {} image {}", used.role, used.slot->image);
+        return text;
+    });
+}
+
+void describe_images(Lines& out, const Scene& scene) {
+    const auto roles = image_roles(scene);
+    out.section("Images", scene.images, [&](std::size_t i, const Image& image) {
+        return fmt::format("{}: {} x {} {}, {}: {}", i, image.width, image.height,
+                           format_name(image.format), size_text(image.pixels.size()),
+                           fmt::join(roles[i], ", "));
+    });
+}
+
+void describe_lights_and_cameras(Lines& out, const Scene& scene) {
+    const auto degrees = [](float radians) { return radians * 180 / std::numbers::pi_v<float>; };
+    out.section("Lights", scene.lights, [&](std::size_t i, const Light& light) {
+        std::string text =
+            fmt::format("{}{}: {}, color {}, {:g} {}", i, name_in_quotes(light.name),
+                        light_kind_name(light.kind), vector_text(light.color), light.intensity,
+                        light.kind == kLightDirectional ? "lux" : "candela");
+        if (light.range > 0) text += fmt::format(", range {:g} m", light.range);
+        if (light.kind == kLightSpot)
+            text += fmt::format(", cone {:g} to {:g} degrees", degrees(light.inner_cone),
+                                degrees(light.outer_cone));
+        return text;
+    });
+    out.section("Cameras", scene.cameras, [&](std::size_t i, const Camera& camera) {
+        const std::string text = fmt::format("{}{}: ", i, name_in_quotes(camera.name));
+        if (camera.perspective)
+            return text + fmt::format("perspective, {:g} degrees high", degrees(camera.yfov));
+        return text + fmt::format("orthographic, {:g} x {:g} m", 2 * camera.xmag, 2 * camera.ymag);
+    });
+}
+
+void describe_motion(Lines& out, const InfoReport& report) {
+    const Scene& scene = *report.scene;
+    out.section("Animations", scene.animations, [](std::size_t i, const Animation& animation) {
+        return fmt::format("{}{}: {:g} s, {}", i, name_in_quotes(animation.name),
+                           duration(animation), plural(animation.channels.size(), "channel"));
+    });
+    out.section("Skins", scene.skins, [](std::size_t i, const Skin& skin) {
+        return fmt::format("{}{}: {}", i, name_in_quotes(skin.name),
+                           plural(skin.joints.size(), "joint"));
+    });
+    out.section("Variants", report.file->variants, [](std::size_t i, const std::string& name) {
+        return fmt::format("{}{}", i, name_in_quotes(name));
+    });
+}
+
+}  // namespace
+
+std::string info_text(const InfoReport& report) {
+    Lines out;
+    describe_file(out, report);
+    if (report.flat) {
+        describe_totals(out, report);
+        describe_nodes(out, *report.scene);
+        describe_meshes(out, report);
+        describe_materials(out, *report.scene);
+        describe_images(out, *report.scene);
+        describe_lights_and_cameras(out, *report.scene);
+        describe_motion(out, report);
+    }
+    out.section("Warnings", report.diagnostics.warnings(), [](std::size_t, const Warning& warning) {
+        return Warning{"", warning.place, warning.message, warning.count}.line();
+    });
+    return std::move(out).text();
+}
+
+}  // namespace hm::cli

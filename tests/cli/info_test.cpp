@@ -1,0 +1,247 @@
+// `himalaya info`: what it prints of a shipped scene, that the JSON is what docs/info.schema.json
+// says, what becomes of hostile names, and the exit codes.
+#include <gtest/gtest.h>
+#include <simdjson.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "app/cli/info.h"
+#include "app/cli/info_report.h"
+
+namespace {
+
+using namespace hm;
+using namespace hm::cli;
+namespace fs = std::filesystem;
+namespace dom = simdjson::dom;
+
+fs::path source_dir() {
+    const char* dir = std::getenv("HIMALAYA_SOURCE_DIR");
+    return dir != nullptr ? fs::path(dir) : fs::current_path();
+}
+
+std::string read_text(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    EXPECT_TRUE(file) << path;
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A glTF file of the test's own, removed at its end.
+class Info : public ::testing::Test {
+  protected:
+    Info() : path_(fs::temp_directory_path() / ("info_test-" + std::to_string(::getpid()))) {}
+    ~Info() override {
+        std::error_code ignored;
+        fs::remove(path_, ignored);
+    }
+
+    static InfoOptions options(const std::string& input, const fs::path& path, bool json) {
+        InfoOptions o;
+        o.input = input;
+        o.scene_file = path;
+        o.json = json;
+        return o;
+    }
+
+    InfoOptions write(const std::string& text, bool json = false) const {
+        std::ofstream(path_, std::ios::binary) << text;
+        return options("the file", path_, json);
+    }
+
+    struct Printed {
+        int code;
+        std::string text;
+    };
+    static Printed run(const InfoOptions& what) {
+        ::testing::internal::CaptureStdout();
+        const Result<ExitCode> code = info(what);
+        return {code ? int(*code) : int(code.error().code),
+                ::testing::internal::GetCapturedStdout()};
+    }
+
+    fs::path path_;
+};
+
+// Fails where `value` is not what `schema` describes, of the keywords that the schema file uses. An
+// object may have no field that the schema does not know: the document would lag behind.
+void expect_matches(dom::element schema, dom::element value, const std::string& place);
+
+bool has_type(std::string_view type, dom::element value) {
+    const bool integer = value.is_uint64() || value.is_int64();
+    return type == "object"    ? value.is_object()
+           : type == "array"   ? value.is_array()
+           : type == "string"  ? value.is_string()
+           : type == "boolean" ? value.is_bool()
+           : type == "null"    ? value.is_null()
+           : type == "integer" ? integer
+                               : integer || value.is_double();
+}
+
+bool type_matches(dom::element type, dom::element value) {
+    if (type.is_string()) return has_type(type.get_string().value(), value);
+    for (const dom::element one : type.get_array())
+        if (has_type(one.get_string().value(), value)) return true;
+    return false;
+}
+
+void expect_object_matches(dom::element schema, dom::object value, const std::string& place) {
+    dom::array required;
+    ASSERT_EQ(schema["required"].get(required), simdjson::SUCCESS) << place;
+    for (const dom::element name : required)
+        EXPECT_EQ(value.at_key(name.get_string().value()).error(), simdjson::SUCCESS)
+            << place << " lacks " << name;
+    for (const auto& [key, field] : value) {
+        dom::element known;
+        const std::string here = place + "/" + std::string(key);
+        ASSERT_EQ(schema["properties"].at_key(key).get(known), simdjson::SUCCESS)
+            << here << " is not in the schema";
+        expect_matches(known, field, here);
+    }
+}
+
+void expect_matches(dom::element schema, dom::element value, const std::string& place) {
+    dom::element keyword;
+    if (schema["oneOf"].get(keyword) == simdjson::SUCCESS) {
+        // Always null or something.
+        if (!value.is_null()) expect_matches(keyword.at(1).value(), value, place);
+        return;
+    }
+    if (schema["const"].get(keyword) == simdjson::SUCCESS) {
+        EXPECT_EQ(simdjson::minify(keyword), simdjson::minify(value)) << place;
+    }
+    if (schema["enum"].get(keyword) == simdjson::SUCCESS) {
+        bool known = false;
+        for (const dom::element one : keyword.get_array())
+            known = known || simdjson::minify(one) == simdjson::minify(value);
+        EXPECT_TRUE(known) << place << ": " << value;
+    }
+    if (schema["type"].get(keyword) == simdjson::SUCCESS) {
+        ASSERT_TRUE(type_matches(keyword, value)) << place << ": " << value;
+    }
+    if (value.is_object()) expect_object_matches(schema, value.get_object().value(), place);
+    if (!value.is_array()) return;
+    std::size_t count = 0;
+    for (const dom::element item : value.get_array())
+        expect_matches(schema["items"].value(), item, place + "/" + std::to_string(count++));
+    if (schema["minItems"].get(keyword) == simdjson::SUCCESS) {
+        EXPECT_EQ(count, keyword.get_uint64().value()) << place;
+    }
+}
+
+void expect_fits_schema(const std::string& json) {
+    dom::parser schema_parser, parser;
+    dom::element schema, value;
+    ASSERT_EQ(schema_parser.load((source_dir() / "docs/info.schema.json").string()).get(schema),
+              simdjson::SUCCESS);
+    ASSERT_EQ(parser.parse(json).get(value), simdjson::SUCCESS) << json;
+    expect_matches(schema, value, "");
+}
+
+// Names of a terminal's escape sequences: colours, the title, a second line, a C1 introducer.
+constexpr const char* kHostile = R"({"asset":{"version":"2.0","generator":"\u001b[31mred\u0007"},
+    "extensionsUsed":["EXT_\u001b]0;title\u0007","KHR_materials_variants"],
+    "extensions":{"KHR_materials_variants":{"variants":[{"name":"a\u009bb"}]}},
+    "scenes":[{"name":"one\ntwo","nodes":[0]}],
+    "nodes":[{"name":"\u001b[2J","camera":0}],
+    "cameras":[{"name":"\u0000\u007f","type":"perspective","perspective":{"yfov":1,"znear":1}}],
+    "materials":[{"name":"\r\u001b[1A"}]})";
+
+void expect_printable(const std::string& text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const bool is_c1 =
+            byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+        EXPECT_FALSE((byte < 0x20 && byte != '\n') || byte == 0x7F || is_c1) << "byte " << i;
+    }
+}
+
+TEST_F(Info, TextOfTheCornellBox) {
+    const Printed printed =
+        run(options("demo:cornell", source_dir() / "scenes/cornell.glb", false));
+    EXPECT_EQ(printed.code, 0);
+    EXPECT_EQ(printed.text, read_text(source_dir() / "tests/cli/info_cornell.txt"));
+}
+
+TEST_F(Info, JsonFitsTheSchema) {
+    for (const char* scene : {"cornell", "spheres", "hero"}) {
+        SCOPED_TRACE(scene);
+        const fs::path path = source_dir() / "scenes" / (std::string(scene) + ".glb");
+        const Printed printed = run(options(scene, path, true));
+        EXPECT_EQ(printed.code, 0);
+        expect_fits_schema(printed.text);
+    }
+    const Printed hostile = run(write(kHostile, true));
+    EXPECT_EQ(hostile.code, 10);
+    expect_fits_schema(hostile.text);
+}
+
+TEST_F(Info, HostileNamesAreMadePrintable) {
+    for (const bool json : {false, true}) {
+        const Printed printed = run(write(kHostile, json));
+        expect_printable(printed.text);
+        for (const char* part : {"x1B[31mred", "x1B]0;title", "x1B[2J", "x1B[1A", "one", "xC2"})
+            EXPECT_NE(printed.text.find(part), std::string::npos) << part << "\n" << printed.text;
+        EXPECT_EQ(printed.text.find("one\ntwo"), std::string::npos);
+    }
+}
+
+TEST_F(Info, ExitCodes) {
+    EXPECT_EQ(
+        run(write(R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{}]})")).code, 0);
+    const Printed warned = run(write(R"({"asset":{"version":"2.0"},"extensionsUsed":["EXT_a"],
+        "scenes":[{"nodes":[0]}],"nodes":[{}]})"));
+    EXPECT_EQ(warned.code, 10);
+    EXPECT_NE(warned.text.find("EXT_a, used: ignored"), std::string::npos) << warned.text;
+    EXPECT_NE(warned.text.find("Warnings (1)\n  /extensionsUsed/0: "), std::string::npos)
+        << warned.text;
+    const std::string refused =
+        R"({"asset":{"version":"2.0"},"extensionsUsed":["EXT_a"],"extensionsRequired":["EXT_a"]})";
+    EXPECT_EQ(run(write(refused)).code, int(ExitCode::unsupported));
+    EXPECT_NE(run(write(refused)).text.find("EXT_a, required: refused"), std::string::npos);
+    EXPECT_EQ(run(write("hello")).code, int(ExitCode::invalid));
+    EXPECT_EQ(run(options("gone", path_ / "gone.glb", false)).code, int(ExitCode::unreadable));
+}
+
+TEST_F(Info, TellsOfTheSceneAskedFor) {
+    InfoOptions o = write(R"({"asset":{"version":"2.0"},"nodes":[{},{"name":"inside"}],
+        "scenes":[{"nodes":[0]},{"name":"b","nodes":[1]}]})");
+    EXPECT_NE(run(o).text.find("scene 0 of 2\n"), std::string::npos);
+    for (const char* wanted : {"b", "1"}) {
+        o.load.scene = wanted;
+        const std::string text = run(o).text;
+        EXPECT_NE(text.find("scene 1 of 2 \"b\""), std::string::npos) << text;
+        EXPECT_NE(text.find("inside"), std::string::npos) << text;
+    }
+}
+
+TEST_F(Info, RefusedFilesAsJson) {
+    for (const char* text : {"hello", R"({"asset":{"version":"2.0"},"nodes":[{"mesh":1}]})"}) {
+        const Printed printed = run(write(text, true));
+        EXPECT_EQ(printed.code, int(ExitCode::invalid));
+        expect_fits_schema(printed.text);
+        EXPECT_NE(printed.text.find(R"("result": "refused")"), std::string::npos) << printed.text;
+        EXPECT_NE(printed.text.find(R"("scene": null)"), std::string::npos) << printed.text;
+    }
+}
+
+// Very many nodes one inside the other must neither fill the terminal nor the memory.
+TEST_F(Info, LongListsAreCut) {
+    std::string nodes;
+    constexpr int kDepth = 100000;
+    for (int i = 0; i < kDepth; ++i)
+        nodes +=
+            (i == 0 ? "" : ",") + std::string("{\"children\":[") + std::to_string(i + 1) + "]}";
+    const Printed printed = run(write(R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],)"
+                                      R"("nodes":[)" +
+                                      nodes + ",{}]}"));
+    EXPECT_EQ(printed.code, 0);
+    EXPECT_LT(printed.text.size(), 20000u);
+    EXPECT_NE(printed.text.find("... and 99901 more; --json lists all"), std::string::npos);
+}
+
+}  // namespace
