@@ -17,6 +17,7 @@
 #include "gltf/skins.h"
 #include "gltf/source.h"
 #include "scene/pose.h"
+#include "scene/tangents.h"
 
 namespace hm {
 namespace {
@@ -50,6 +51,7 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     HM_TRY_ASSIGN(scene.materials, read_materials(root, source));
     HM_TRY_ASSIGN(scene.meshes, read_meshes(root, source, scene.materials));
     HM_TRY_ASSIGN(scene.images, read_images(root, source, scene.materials, used_materials(scene)));
+    prepare_tangents(scene);
     HM_TRY_ASSIGN(scene.cameras, read_cameras(root, source));
     HM_TRY_ASSIGN(scene.lights, read_lights(root, source));
     HM_TRY_ASSIGN(const std::vector<int> scene_node, read_nodes(root, source, scene));

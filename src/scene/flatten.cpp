@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/check.h"
 #include "scene/alias_table.h"
 #include "scene/emitters.h"
 #include "shading/math.h"
@@ -61,9 +62,11 @@ void add_geometries(FlatScene& flat, const Scene& scene) {
             g.material = p.material == kUnset ? std::uint32_t(flat.materials.size()) - 1
                                               : std::uint32_t(p.material);
             if (p.has_normals) g.flags |= kGeometryHasNormals;
-            if (p.has_tangents) g.flags |= kGeometryHasTangents;
             if (!p.extras.empty()) g.flags |= kGeometryHasExtras;
-            if (flat.materials[g.material].normal_texture != 0) g.flags |= kGeometryNormalMapped;
+            if (flat.materials[g.material].normal_texture != 0) {
+                HM_CHECK(p.has_tangents, "mesh \"{}\": prepare_tangents was not called", mesh.name);
+                g.flags |= kGeometryNormalMapped;
+            }
             g.emitter_offset = kNone;
             g.triangle_count = std::uint32_t(p.triangles.size());
             flat.geometries.push_back(g);

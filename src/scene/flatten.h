@@ -57,6 +57,7 @@ struct LightChoice {
 // No single light counts as brighter than this (luminance times area): sums stay finite.
 inline constexpr float kMaxLightPower = 1e30f;
 
+// Primitives with a normal map need tangents (scene/tangents prepares them).
 // Warns about what can't be drawn (instances scaled to nothing).
 FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice choice,
                   Diagnostics& diagnostics);

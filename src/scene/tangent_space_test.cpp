@@ -178,8 +178,8 @@ TexturedMesh fan(std::uint32_t count) {
 }
 
 TEST(TangentSpace, LargeFansTakeLinearTime) {
-    // Every pair of 100 thousand, at the hub, would be minutes. Here each corner at the rim is its side's
-    // direction, and what all of them share at the hub is still a unit vector.
+    // Every pair of 100 thousand, at the hub, would be minutes. Here each corner at the rim is its
+    // side's direction, and what all of them share at the hub is still a unit vector.
     const TexturedMesh mesh = fan(100000);
     const std::vector<vec4> tangents = corner_tangents(mesh.points, mesh.triangles);
     for (std::size_t c = 0; c < tangents.size(); ++c)

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <numeric>
@@ -64,7 +65,7 @@ std::vector<std::uint32_t> split_vertices(Primitive& p, const std::vector<vec4>&
     std::vector<bool> taken(p.vertices.size(), false);
     IndexTable copies(0);
     for (std::size_t c = 0; c < corners.size(); ++c) {
-        std::uint32_t& vertex = p.triangles[c / 3][c % 3];
+        std::uint32_t& vertex = p.triangles[c / 3][int(c % 3)];
         if (!taken[vertex]) {
             taken[vertex] = true;
             p.vertices[vertex].tangent = corners[c];
@@ -84,6 +85,44 @@ std::vector<std::uint32_t> split_vertices(Primitive& p, const std::vector<vec4>&
         vertex = copy;
     }
     return new_to_old;
+}
+
+template <class T>
+void copy_deltas(std::vector<Delta<T>>& deltas, std::span<const std::uint32_t> copied,
+                 std::uint32_t first_copy) {
+    for (std::size_t i = 0; i < copied.size(); ++i) {
+        const auto at = std::lower_bound(
+            deltas.begin(), deltas.end(), copied[i],
+            [](const Delta<T>& d, std::uint32_t vertex) { return d.vertex < vertex; });
+        if (at == deltas.end() || at->vertex != copied[i]) continue;
+        const T value = at->value;
+        deltas.push_back({first_copy + std::uint32_t(i), value});
+    }
+}
+
+// Follows the primitive's vertices, which are at rest.
+std::shared_ptr<const Deformation> split_deformation(const Primitive& p,
+                                                     const std::vector<std::uint32_t>& new_to_old) {
+    auto d = std::make_shared<Deformation>(*p.deformation);
+    const auto first_copy = static_cast<std::uint32_t>(d->rest.size());
+    const auto copied = std::span(new_to_old).subspan(first_copy);
+    d->rest = p.vertices;
+    d->rest_extras = p.extras;
+    for (MorphTarget& target : d->targets) {
+        copy_deltas(target.positions, copied, first_copy);
+        copy_deltas(target.normals, copied, first_copy);
+        copy_deltas(target.tangents, copied, first_copy);
+        copy_deltas(target.uv0, copied, first_copy);
+        copy_deltas(target.uv1, copied, first_copy);
+        copy_deltas(target.colors, copied, first_copy);
+    }
+    for (const std::uint32_t vertex : copied)
+        for (std::uint32_t i = 0; i < d->influences; ++i) {
+            const std::size_t from = std::size_t(vertex) * d->influences + i;
+            d->joints.push_back(std::uint16_t(d->joints[from]));
+            d->weights.push_back(float(d->weights[from]));
+        }
+    return d;
 }
 
 }  // namespace
@@ -109,7 +148,9 @@ void prepare_tangents(Scene& scene) {
             if (slot.image != kUnset) work.push_back({&p, slot.uv_set});
         }
     tbb::parallel_for(std::size_t(0), work.size(), [&](std::size_t i) {
-        generate_tangents(*work[i].primitive, work[i].uv_set);
+        Primitive& p = *work[i].primitive;
+        const std::vector<std::uint32_t> new_to_old = generate_tangents(p, work[i].uv_set);
+        if (p.deformation) p.deformation = split_deformation(p, new_to_old);
     });
 }
 

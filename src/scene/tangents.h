@@ -14,8 +14,8 @@ namespace hm {
 // now, the one that it was.
 std::vector<std::uint32_t> generate_tangents(Primitive& primitive, std::uint32_t uv_set);
 
-// Does so for every primitive whose material maps normals. A scene must have been through this
-// before it is flattened.
+// Does so for every primitive whose material maps normals; deformations, whose rest vertices are
+// the primitive's, follow. A scene must have been through this before it is posed and flattened.
 void prepare_tangents(Scene& scene);
 
 }  // namespace hm

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
+#include <memory>
 
 namespace hm {
 namespace {
@@ -143,6 +143,41 @@ TEST(Tangents, AreMadeWhereAMaterialMapsNormalsAndAFileBringsNone) {
     EXPECT_EQ(made[2].vertices.size(), 8u);
     EXPECT_EQ(made[3].vertices.size(), 6u);
     EXPECT_EQ(made[3].vertices[0].tangent, vec4(0));
+}
+
+TEST(Tangents, DeformationsFollowTheSplitVertices) {
+    Scene scene;
+    scene.materials.resize(1);
+    scene.materials[0].normal_texture.image = 0;
+    Primitive p = mirrored_squares();
+    p.material = 0;
+    auto d = std::make_shared<Deformation>();
+    d->rest = p.vertices;
+    d->targets.resize(1);
+    d->targets[0].positions = {{1, vec3(1)}, {3, vec3(3)}, {4, vec3(4)}};
+    d->influences = 2;
+    for (std::uint16_t i = 0; i < 12; ++i) {
+        d->joints.push_back(i);
+        d->weights.push_back(float(i));
+    }
+    p.deformation = d;
+    Mesh mesh;
+    mesh.primitives = {p};
+    scene.meshes = {mesh};
+    prepare_tangents(scene);
+    // Vertices 2 and 3 were copied, to 6 and 7.
+    const Primitive& split = scene.meshes[0].primitives[0];
+    const Deformation& made = *split.deformation;
+    ASSERT_EQ(made.rest.size(), 8u);
+    EXPECT_EQ(made.rest[6].tangent, split.vertices[6].tangent);
+    ASSERT_EQ(made.targets[0].positions.size(), 4u);
+    EXPECT_EQ(made.targets[0].positions[3].vertex, 7u);
+    EXPECT_EQ(made.targets[0].positions[3].value, vec3(3));
+    ASSERT_EQ(made.joints.size(), 16u);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(made.joints[12 + i], 4 + i);
+        EXPECT_EQ(made.weights[12 + i], float(4 + i));
+    }
 }
 
 }  // namespace

@@ -72,9 +72,8 @@ struct VertexExtra {
 };
 
 HM_CONST uint kGeometryHasNormals = 1u;
-HM_CONST uint kGeometryHasTangents = 2u;
-HM_CONST uint kGeometryHasExtras = 4u;
-HM_CONST uint kGeometryNormalMapped = 8u;
+HM_CONST uint kGeometryHasExtras = 2u;
+HM_CONST uint kGeometryNormalMapped = 4u;  // its vertices have tangents
 
 // One primitive of one mesh. Where its vertices lie is each machine's business (load_triangle).
 struct GeometryData {

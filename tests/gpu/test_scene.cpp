@@ -6,6 +6,7 @@
 
 #include "gpu/path_tracer.h"
 #include "scene/camera.h"
+#include "scene/tangents.h"
 
 namespace hm::test {
 
@@ -117,7 +118,7 @@ Mesh square(MaterialIndex material) {
     return {"", {p}};
 }
 
-// A cube with flat faces: no normals, tangents derived, no extras; and a lid of another material.
+// A cube with flat faces: no normals, tangents made, no extras; and a lid of another material.
 Mesh cube(MaterialIndex sides, MaterialIndex lid) {
     Mesh mesh{"", {Primitive{}, Primitive{}}};
     mesh.primitives[0].material = sides;
@@ -211,6 +212,7 @@ TestScene::TestScene() {
     add_materials(scene);
     add_objects(scene);
     add_lights(scene);
+    prepare_tangents(scene);
     Diagnostics diagnostics;
     flat = flatten(scene, sky(), LightChoice{}, diagnostics);
     camera = camera_look_at({0.4f, 0.2f, 5.5f}, {0, -0.1f, 0}, {0, 1, 0}, 0.75f, 1);

@@ -5,10 +5,19 @@
 #include <cmath>
 
 #include "scene/camera.h"
+#include "scene/tangents.h"
 #include "shading/tables/tables.h"
 #include "support/statistics.h"
 
 namespace hm::test {
+namespace {
+
+Scene with_tangents(Scene scene) {
+    prepare_tangents(scene);
+    return scene;
+}
+
+}  // namespace
 
 vec3 Picture::mean() const {
     glm::dvec3 sum(0);
@@ -18,7 +27,7 @@ vec3 Picture::mean() const {
 }
 
 Studio::Studio(Scene scene, EnvironmentMap environment, LightChoice choice, unsigned threads)
-    : scene_(std::move(scene)),
+    : scene_(with_tangents(std::move(scene))),
       flat_(flatten_quietly(scene_, std::move(environment), choice)),
       renderer_(flat_, threads) {}
 

@@ -43,19 +43,6 @@ HM_FN void load_extras(uint geometry, uint primitive, vec3 weights, HM_OUT(vec2)
     color = e.a.color * weights.x + e.b.color * weights.y + e.c.color * weights.z;
 }
 
-// The tangent along growing u where a file brings none. As in files that bring one, the bitangent
-// cross(normal, tangent) * w points to the picture's top: against growing v.
-HM_FN void derive_tangent(HM_IN(Triangle) t, vec2 uv_a, vec2 uv_b, vec2 uv_c,
-                          HM_OUT(vec4) tangent) {
-    vec3 edge1 = t.b.position - t.a.position;
-    vec3 edge2 = t.c.position - t.a.position;
-    vec2 d1 = uv_b - uv_a;
-    vec2 d2 = uv_c - uv_a;
-    float area = d1.x * d2.y - d1.y * d2.x;
-    vec3 direction = (edge1 * d2.y - edge2 * d1.y) * (area < 0.0f ? -1.0f : 1.0f);
-    tangent = vec4(direction.x, direction.y, direction.z, area < 0.0f ? 1.0f : -1.0f);
-}
-
 // The normal map's normal in world space. z is rebuilt from x and y; `normal_scale` scales those.
 HM_FN vec3 map_normal(HM_IN(MaterialData) m, HM_IN(InstanceData) instance, HM_IN(Surface) s,
                       vec4 tangent_object) {
@@ -103,21 +90,8 @@ HM_FN void load_surface(HM_IN(HitIds) ids, vec2 barycentrics, vec3 direction, HM
         if (length_squared > 1e-30f) s.ns = n * inversesqrt(length_squared);
     }
     if ((geometry.flags & kGeometryNormalMapped) != 0u) {
-        vec4 tangent;
-        if ((geometry.flags & kGeometryHasTangents) != 0u) {
-            vec4 ta = t.a.tangent * weights.x + t.b.tangent * weights.y + t.c.tangent * weights.z;
-            tangent = vec4(ta.x, ta.y, ta.z, ta.w < 0.0f ? -1.0f : 1.0f);
-        } else {
-            bool second_set = texture_uses[materials[s.material].normal_texture].uv_set != 0u &&
-                              (geometry.flags & kGeometryHasExtras) != 0u;
-            if (second_set) {
-                TriangleExtras e;
-                load_triangle_extras(s.geometry, ids.primitive, e);
-                derive_tangent(t, e.a.uv1, e.b.uv1, e.c.uv1, tangent);
-            } else {
-                derive_tangent(t, t.a.uv0, t.b.uv0, t.c.uv0, tangent);
-            }
-        }
+        vec4 tangent = t.a.tangent * weights.x + t.b.tangent * weights.y + t.c.tangent * weights.z;
+        tangent.w = tangent.w < 0.0f ? -1.0f : 1.0f;
         s.ns = map_normal(materials[s.material], instance, s, tangent);
     }
     if (!s.front) {
