@@ -18,8 +18,9 @@ using Arguments = std::vector<std::string>;
 
 // Of these only one makes sense, or they belong together: a flag on the command line also replaces
 // a demo's values for the others.
-constexpr std::array<std::array<std::string_view, 4>, 3> kReplacedTogether = {{
+constexpr std::array<std::array<std::string_view, 4>, 4> kReplacedTogether = {{
     {"camera", "eye", "target", "up"},
+    {"at", "frames", "fps", ""},
     {"spp", "time", "", ""},
     {"size", "crop", "", ""},
 }};

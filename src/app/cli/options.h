@@ -18,6 +18,11 @@ namespace hm::cli {
 
 // A float counts samples exactly up to here.
 inline constexpr std::uint32_t kMaxSamples = 1u << 24;
+inline constexpr std::uint32_t kMaxFrame = 9999999;
+
+struct FrameRange {
+    std::uint32_t first = 0, last = 0;  // both are drawn
+};
 
 struct ViewOptions {
     std::string camera;  // name or index; empty: the file's first
@@ -45,6 +50,11 @@ struct RenderOptions {
     std::uint32_t threads = 0;          // 0: all
 
     ViewOptions view;
+
+    std::string animation;    // name or index; empty: the file's first
+    std::optional<float> at;  // seconds of the animation
+    std::optional<FrameRange> frames;
+    float fps = 24;
 
     std::string env;  // a path, "none", or empty: the default where the scene has no light
     float env_rotation = 0;

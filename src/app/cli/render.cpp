@@ -6,7 +6,9 @@
 
 #include <cstdio>
 #include <optional>
+#include <utility>
 
+#include "app/cli/frames.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/passes.h"
 #include "app/cli/report.h"
@@ -58,14 +60,19 @@ void note_defaults(Progress& progress, const RenderSummary& summary) {
         progress.note("the file has no camera: framing the whole scene (see --eye)");
 }
 
-void warn_all(Progress& progress, const RenderSummary& summary, const std::string& file,
-              Diagnostics& diagnostics) {
+// What the frames of a sequence share.
+struct Shared {
+    Scene scene;
+    double load_seconds = 0;  // told with the first picture
+    std::optional<EnvironmentChoice> environment{};
+};
+
+void record_warnings(const RenderSummary& summary, const std::string& file,
+                     Diagnostics& diagnostics) {
     if (summary.non_finite > 0)
         diagnostics.warn(
             file, "",
             fmt::format("{} samples were not finite and count as black", summary.non_finite));
-    for (const Warning& warning : diagnostics.warnings())
-        progress.warning(warning.line());
 }
 
 Result<void> print_report(const std::string& report) {
@@ -74,32 +81,29 @@ Result<void> print_report(const std::string& report) {
     return {};
 }
 
-}  // namespace
-
-Result<ExitCode> render(const RenderOptions& options) {
-    std::optional<tbb::global_control> limit;
-    if (options.threads != 0)
-        limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
-    Progress progress(options.quiet);
-    Diagnostics diagnostics;
+// One picture. It borrows the environment's tables.
+Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& progress,
+                      Diagnostics& diagnostics) {
     RenderSummary summary;
+    summary.times.load = std::exchange(shared.load_seconds, 0.0);
 
     Clock::time_point start = Clock::now();
-    HM_TRY_ASSIGN(const Scene scene, load_gltf(options.scene_file, diagnostics));
-    summary.times.load = seconds_since(start);
-
-    start = Clock::now();
-    HM_TRY_ASSIGN(EnvironmentChoice environment, choose_environment(options, scene));
-    summary.environment = environment.name;
-    const FlatScene flat = flatten(scene, std::move(environment.map),
-                                   LightChoice{.punctual = options.punctual}, diagnostics);
+    HM_TRY_ASSIGN(const auto pose, choose_pose(options, shared.scene, diagnostics));
+    if (pose) HM_TRY(pose_scene(shared.scene, pose));
+    const bool is_first = !shared.environment;
+    if (is_first) {
+        HM_TRY_ASSIGN(shared.environment, choose_environment(options, shared.scene));
+    }
+    summary.environment = shared.environment->name;
+    FlatScene flat = flatten(shared.scene, std::move(shared.environment->map),
+                             LightChoice{.punctual = options.punctual}, diagnostics);
     const float aspect = float(options.width) / float(options.height);
     HM_TRY_ASSIGN(const CameraChoice camera,
-                  choose_camera(options.view, scene, flat.bounds, aspect));
+                  choose_camera(options.view, shared.scene, flat.bounds, aspect));
     summary.camera = camera.name;
-    summary.scene = scene_stats(scene, flat);
+    summary.scene = scene_stats(shared.scene, flat);
     summary.times.flatten = seconds_since(start);
-    note_defaults(progress, summary);
+    if (is_first) note_defaults(progress, summary);
 
     start = Clock::now();
     CpuRenderer renderer(flat, options.threads);
@@ -109,7 +113,6 @@ Result<ExitCode> render(const RenderOptions& options) {
 
     Film film(options.crop.value_or(PixelRect{0, 0, options.width, options.height}));
     RenderCounters counters;
-    catch_interrupts();
     const PassResult passes = render_passes(
         renderer, camera.data, make_params(options, flat), make_filter_table(options.filter), film,
         counters, PassPlan{.samples = options.samples, .time = options.time}, interrupted,
@@ -123,10 +126,34 @@ Result<ExitCode> render(const RenderOptions& options) {
     HM_TRY(write_all(options, film, picture_metadata(options, summary)));
     summary.times.write = seconds_since(start);
 
-    warn_all(progress, summary, options.input, diagnostics);
+    record_warnings(summary, options.input, diagnostics);
     progress.note(summary_line(summary));
     if (options.json) HM_TRY(print_report(json_report(options, summary, diagnostics)));
+    shared.environment->map = std::move(flat.environment);
     return summary.interrupted ? ExitCode::interrupted : ExitCode::ok;
+}
+
+}  // namespace
+
+Result<ExitCode> render(const RenderOptions& options) {
+    std::optional<tbb::global_control> limit;
+    if (options.threads != 0)
+        limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+    Progress progress(options.quiet);
+    Diagnostics diagnostics;
+    const Clock::time_point start = Clock::now();
+    HM_TRY_ASSIGN(Scene scene, load_gltf(options.scene_file, diagnostics));
+    Shared shared{std::move(scene), seconds_since(start)};
+    catch_interrupts();
+    ExitCode code = ExitCode::ok;
+    const FrameRange range = options.frames.value_or(FrameRange{});
+    for (std::uint32_t n = range.first; n <= range.last && code == ExitCode::ok; ++n) {
+        HM_TRY_ASSIGN(code, draw(options.frames ? frame_options(options, n) : options, shared,
+                                 progress, diagnostics));
+    }
+    for (const Warning& warning : diagnostics.warnings())
+        progress.warning(warning.line());
+    return code;
 }
 
 }  // namespace hm::cli

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/frames.h"
 #include "app/cli/values.h"
 #include "film/write.h"
 
@@ -130,6 +131,22 @@ void add_view(CLI::App& app, ViewOptions& v) {
         "What lies this far along the view's axis is sharp (--target, else the scene's middle)");
 }
 
+void add_animation(CLI::App& app, RenderOptions& o) {
+    app.add_option("--animation", o.animation, "The file's animation of this name or index (0)")
+        ->type_name("NAME|INDEX");
+    CLI::Option* at =
+        add(app, "--at", "SECONDS", o.at, number(-1e9f, 1e9f),
+            "The moment of the animation, which stands still before its first and after its last "
+            "key. Without --at and --animation the scene is drawn in its rest pose");
+    CLI::Option* frames =
+        add(app, "--frames", "A:B", o.frames, parse_frames,
+            "Draw a sequence, both ends included: frame n shows n / fps seconds. In the outputs' "
+            "names a run of # stands for the frame's number; the number enters the seed");
+    frames->excludes(at);
+    add(app, "--fps", "N", o.fps, number(0.001f, 1e6f), "Frames per second of a sequence (24)")
+        ->needs(frames);
+}
+
 void add_light(CLI::App& app, RenderOptions& o) {
     app.add_option("--env", o.env,
                    "Equirectangular .hdr or .exr that lights the scene, or none for black. Without "
@@ -215,6 +232,7 @@ void add_render_flags(CLI::App& app, RenderOptions& options) {
     add_group(app, "Files", add_files, options);
     add_group(app, "Sampling", add_sampling, options);
     add_group(app, "View", add_view, options.view);
+    add_group(app, "Animation", add_animation, options);
     add_group(app, "Light", add_light, options);
     add_group(app, "Look", add_shading, options);
     add_group(app, "For checking the renderer", add_checks, options);
@@ -231,8 +249,12 @@ Result<void> check_render_options(const RenderOptions& o) {
     if (o.view.up && *o.view.up == vec3(0)) return usage("--up: must have a length");
     if (o.view.target && *o.view.target == *o.view.eye)
         return usage("--target: is the same point as --eye");
-    for (const std::filesystem::path& path : o.outputs)
-        HM_TRY(check_writable(path));
+    for (const std::filesystem::path& path : o.outputs) {
+        if (o.frames && !has_frame_pattern(path))
+            return usage(fmt::format("--frames: \"{}\" needs one run of # for the frame's number",
+                                     path.string()));
+        HM_TRY(check_writable(o.frames ? frame_path(path, o.frames->first) : path));
+    }
     return {};
 }
 
