@@ -2,8 +2,11 @@
 #include "gltf/accessor.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -42,35 +45,60 @@ struct Elements {
     std::size_t width;  // components each
 };
 
-template <class T, class Out>
-void decode_as(const Elements& from, bool normalized, Out* out) {
-    for (std::size_t i = 0; i < from.count; ++i) {
+// Elements that one thread takes at a time.
+constexpr std::size_t kGrain = 1 << 16;
+
+template <class Body>
+void for_ranges(std::size_t count, const Body& body) {
+    if (count <= kGrain) return body(std::size_t{0}, count);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
+                      [&](const auto& range) { body(range.begin(), range.end()); });
+}
+
+template <std::size_t kWidth, class T, class Out>
+void decode_range(const Elements& from, bool normalized, Target<Out> to, std::size_t begin,
+                  std::size_t end) {
+    const std::size_t width = kWidth == 0 ? from.width : kWidth;
+    for (std::size_t i = begin; i < end; ++i) {
         const std::byte* element = from.first + i * from.stride;
-        for (std::size_t c = 0; c < from.width; ++c) {
+        Out* out = to.first + i * to.stride;
+        for (std::size_t c = 0; c < width; ++c) {
             const T value = load<T>(element + c * sizeof(T));
             if constexpr (std::is_floating_point_v<Out>)
-                *out++ = to_float(value, normalized);
+                out[c] = to_float(value, normalized);
             else
-                *out++ = static_cast<Out>(value);
+                out[c] = static_cast<Out>(value);
         }
     }
 }
 
+// A width that the compiler knows makes short loops of the common types.
+template <class T, class Out>
+void decode_as(const Elements& from, bool normalized, Target<Out> to) {
+    for_ranges(from.count, [&](std::size_t begin, std::size_t end) {
+        if (from.width == 1) return decode_range<1, T>(from, normalized, to, begin, end);
+        if (from.width == 2) return decode_range<2, T>(from, normalized, to, begin, end);
+        if (from.width == 3) return decode_range<3, T>(from, normalized, to, begin, end);
+        if (from.width == 4) return decode_range<4, T>(from, normalized, to, begin, end);
+        decode_range<0, T>(from, normalized, to, begin, end);
+    });
+}
+
 template <class Out>
-void decode(ComponentType type, const Elements& from, bool normalized, Out* out) {
+void decode(ComponentType type, const Elements& from, bool normalized, Target<Out> to) {
     switch (type) {
         case ComponentType::int8:
-            return decode_as<std::int8_t>(from, normalized, out);
+            return decode_as<std::int8_t>(from, normalized, to);
         case ComponentType::uint8:
-            return decode_as<std::uint8_t>(from, normalized, out);
+            return decode_as<std::uint8_t>(from, normalized, to);
         case ComponentType::int16:
-            return decode_as<std::int16_t>(from, normalized, out);
+            return decode_as<std::int16_t>(from, normalized, to);
         case ComponentType::uint16:
-            return decode_as<std::uint16_t>(from, normalized, out);
+            return decode_as<std::uint16_t>(from, normalized, to);
         case ComponentType::uint32:
-            return decode_as<std::uint32_t>(from, normalized, out);
+            return decode_as<std::uint32_t>(from, normalized, to);
         case ComponentType::float32:
-            return decode_as<float>(from, normalized, out);
+            return decode_as<float>(from, normalized, to);
     }
 }
 
@@ -79,9 +107,9 @@ Result<std::vector<std::uint32_t>> sparse_indices(const Source& source, std::siz
                                                   const SparseElements& sparse) {
     HM_TRY_ASSIGN(const auto bytes, view_bytes(source, sparse.index_view));
     std::vector<std::uint32_t> indices(sparse.count);
-    decode(sparse.index_type,
-           {bytes.data() + sparse.index_offset, component_size(sparse.index_type), sparse.count, 1},
-           false, indices.data());
+    const Elements from{bytes.data() + sparse.index_offset, component_size(sparse.index_type),
+                        sparse.count, 1};
+    decode(sparse.index_type, from, false, Target<std::uint32_t>{indices.data(), 1});
     for (std::size_t i = 0; i < indices.size(); ++i) {
         const bool rises = i == 0 || indices[i] > indices[i - 1];
         if (!rises || indices[i] >= source.accessors[accessor].count)
@@ -94,29 +122,41 @@ Result<std::vector<std::uint32_t>> sparse_indices(const Source& source, std::siz
 }
 
 template <class Out>
-Result<std::vector<Out>> read_components(const Source& source, std::size_t index) {
+Result<void> read_sparse(const Source& source, std::size_t index, Target<Out> to) {
     const Accessor& accessor = source.accessors[index];
-    const std::size_t width = component_count(accessor.type);
-    std::vector<Out> out(accessor.count * width);
-    if (accessor.view) {
-        HM_TRY_ASSIGN(const auto bytes, view_bytes(source, *accessor.view));
-        decode(accessor.component,
-               {bytes.data() + accessor.offset, accessor.stride, accessor.count, width},
-               accessor.normalized, out.data());
-    }
-    if (!accessor.sparse) return out;
-
     const SparseElements& sparse = *accessor.sparse;
+    const std::size_t width = component_count(accessor.type);
     HM_TRY_ASSIGN(const auto indices, sparse_indices(source, index, sparse));
     HM_TRY_ASSIGN(const auto bytes, view_bytes(source, sparse.value_view));
     std::vector<Out> values(indices.size() * width);
-    decode(accessor.component,
-           {bytes.data() + sparse.value_offset, component_size(accessor.component) * width,
-            indices.size(), width},
-           accessor.normalized, values.data());
+    const Elements from{bytes.data() + sparse.value_offset,
+                        component_size(accessor.component) * width, indices.size(), width};
+    decode(accessor.component, from, accessor.normalized, Target<Out>{values.data(), width});
     for (std::size_t i = 0; i < indices.size(); ++i)
-        std::copy_n(values.begin() + std::ptrdiff_t(i * width), width,
-                    out.begin() + std::ptrdiff_t(indices[i] * width));
+        std::copy_n(values.data() + i * width, width, to.first + indices[i] * to.stride);
+    return {};
+}
+
+template <class Out>
+Result<void> read_to(const Source& source, std::size_t index, Target<Out> to) {
+    const Accessor& accessor = source.accessors[index];
+    const std::size_t width = component_count(accessor.type);
+    if (accessor.view) {
+        HM_TRY_ASSIGN(const auto bytes, view_bytes(source, *accessor.view));
+        const Elements from{bytes.data() + accessor.offset, accessor.stride, accessor.count, width};
+        decode(accessor.component, from, accessor.normalized, to);
+    } else {
+        for (std::size_t i = 0; i < accessor.count; ++i)
+            std::fill_n(to.first + i * to.stride, width, Out(0));
+    }
+    return accessor.sparse ? read_sparse(source, index, to) : Result<void>();
+}
+
+template <class Out>
+Result<std::vector<Out>> read_all(const Source& source, std::size_t index) {
+    const std::size_t width = component_count(source.accessors[index].type);
+    std::vector<Out> out(source.accessors[index].count * width);
+    HM_TRY(read_to(source, index, Target<Out>{out.data(), width}));
     return out;
 }
 
@@ -127,22 +167,50 @@ std::string accessor_place(std::size_t accessor) {
 }
 
 Result<std::vector<float>> read_floats(const Source& source, std::size_t accessor) {
-    return read_components<float>(source, accessor);
+    return read_all<float>(source, accessor);
 }
 
 Result<std::vector<std::uint32_t>> read_integers(const Source& source, std::size_t accessor) {
-    return read_components<std::uint32_t>(source, accessor);
+    return read_all<std::uint32_t>(source, accessor);
+}
+
+Result<void> read_floats_to(const Source& source, std::size_t accessor, Target<float> to) {
+    return read_to(source, accessor, to);
+}
+
+Result<void> read_integers_to(const Source& source, std::size_t accessor,
+                              Target<std::uint32_t> to) {
+    return read_to(source, accessor, to);
 }
 
 Result<void> check_finite(const Source& source, std::size_t accessor,
                           const std::vector<float>& values) {
-    const auto bad =
-        std::find_if(values.begin(), values.end(), [](float x) { return !std::isfinite(x); });
-    if (bad == values.end()) return {};
+    return check_finite(source, accessor,
+                        {values.data(), component_count(source.accessors[accessor].type)});
+}
+
+Result<void> check_finite(const Source& source, std::size_t accessor, Target<const float> values) {
     const std::size_t width = component_count(source.accessors[accessor].type);
+    const std::size_t count = source.accessors[accessor].count;
+    std::atomic<std::size_t> first_bad = count;
+    for_ranges(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            // The sum of zeros is zero, a NaN or an infinity makes it a NaN.
+            float sum = 0;
+            for (std::size_t c = 0; c < width; ++c)
+                sum += values.first[i * values.stride + c] * 0.0f;
+            if (sum == 0.0f) continue;
+            for (std::size_t known = first_bad; i < known;)
+                if (first_bad.compare_exchange_weak(known, i)) break;
+            return;
+        }
+    });
+    const std::size_t bad = first_bad;
+    if (bad == count) return {};
+    const float* element = values.first + bad * values.stride;
+    const bool nan = std::any_of(element, element + width, [](float x) { return std::isnan(x); });
     return fail(ExitCode::invalid, source.file, accessor_place(accessor),
-                fmt::format("element {} is {}", std::size_t(bad - values.begin()) / width,
-                            std::isnan(*bad) ? "not a number" : "infinite"));
+                fmt::format("element {} is {}", bad, nan ? "not a number" : "infinite"));
 }
 
 }  // namespace hm::gltf

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -19,8 +18,20 @@ Result<std::vector<float>> read_floats(const Source& source, std::size_t accesso
 // All components, which are unsigned integers.
 Result<std::vector<std::uint32_t>> read_integers(const Source& source, std::size_t accessor);
 
+// Where components go: those of element i from `first` + i * `stride` on.
+template <class T>
+struct Target {
+    T* first;
+    std::size_t stride;
+};
+
+// The same into memory that is there already, on several threads where it is much.
+Result<void> read_floats_to(const Source& source, std::size_t accessor, Target<float> to);
+Result<void> read_integers_to(const Source& source, std::size_t accessor, Target<std::uint32_t> to);
+
 // An error at the accessor that names the first element with a NaN or an infinity.
 Result<void> check_finite(const Source& source, std::size_t accessor,
                           const std::vector<float>& values);
+Result<void> check_finite(const Source& source, std::size_t accessor, Target<const float> values);
 
 }  // namespace hm::gltf

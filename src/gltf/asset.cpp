@@ -9,10 +9,11 @@
 namespace hm::gltf {
 namespace {
 
-constexpr std::string_view kVariants = "KHR_materials_variants";
-constexpr std::array<std::string_view, 4> kSupported{
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
-    "KHR_texture_transform"};
+constexpr std::string_view kQuantization = "KHR_mesh_quantization";
+constexpr std::array<std::string_view, 8> kSupported{
+    "EXT_mesh_gpu_instancing", "KHR_lights_punctual",    "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",     "KHR_materials_variants", kQuantization,
+    "KHR_node_visibility",     "KHR_texture_transform"};
 
 struct Version {
     unsigned major = 0;
@@ -73,16 +74,12 @@ Result<void> check_extensions(const Json& root, Source& source) {
 
     HM_TRY_ASSIGN(const auto used, root.texts("extensionsUsed"));
     for (std::size_t i = 0; i < used.size(); ++i)
-        if (!is_supported(used[i]) && used[i] != kVariants)
+        if (!is_supported(used[i]))
             source.warn(fmt::format("/extensionsUsed/{}", i),
                         fmt::format("extension {} is not supported and ignored", excerpt(used[i])));
-    HM_TRY_ASSIGN(const auto variants, root.extension(kVariants));
-    if (variants) {
-        HM_TRY_ASSIGN(const auto items, variants->objects("variants"));
-        source.warn(variants->place(), fmt::format("material variants: {}; the materials without a "
-                                                   "variant are used",
-                                                   items.size()));
-    }
+    // Exporters forget to list it among those required.
+    source.quantized = std::count(used.begin(), used.end(), kQuantization) > 0 ||
+                       std::count(required.begin(), required.end(), kQuantization) > 0;
     return {};
 }
 

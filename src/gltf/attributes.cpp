@@ -1,20 +1,16 @@
 #include "gltf/attributes.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
-#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "gltf/accessor.h"
 
 namespace hm::gltf {
 namespace {
-
-using Values = std::vector<float>;
-
-vec3 vec3_at(const Values& values, std::size_t i) {
-    return vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
-}
 
 bool is_finite(vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -33,13 +29,28 @@ vec3 any_perpendicular(vec3 n) {
     return normalize(axis - n * dot(n, axis));
 }
 
-enum class Encoding { floats, floats_or_normalized };
+// What may stand in an attribute's accessor besides floats.
+enum class Encoding { position, direction, coordinate, color };
 
-bool is_encoded(const Accessor& accessor, Encoding allowed) {
+// KHR_mesh_quantization allows more integers than the core does (the table in its section
+// "Extending Mesh Attributes").
+bool is_encoded(const Accessor& accessor, Encoding use, bool quantized) {
+    const bool is_small = accessor.component != ComponentType::uint32;
+    const bool is_signed =
+        accessor.component == ComponentType::int8 || accessor.component == ComponentType::int16;
     if (accessor.component == ComponentType::float32) return true;
-    return allowed == Encoding::floats_or_normalized && accessor.normalized &&
-           (accessor.component == ComponentType::uint8 ||
-            accessor.component == ComponentType::uint16);
+    if (!is_small) return false;
+    switch (use) {
+        case Encoding::position:
+            return quantized;
+        case Encoding::direction:
+            return quantized && is_signed && accessor.normalized;
+        case Encoding::coordinate:
+            return quantized || (!is_signed && accessor.normalized);
+        case Encoding::color:
+            return !is_signed && accessor.normalized;
+    }
+    return false;
 }
 
 // One attribute's accessor, its type and count checked.
@@ -50,7 +61,7 @@ Result<std::optional<std::size_t>> find(const Json& attributes, const Source& so
     if (!index) return std::nullopt;
     const Accessor& accessor = source.accessors[*index];
     const bool is_color = key == "COLOR_0" && accessor.type == ElementType::vec3;
-    if ((accessor.type != type && !is_color) || !is_encoded(accessor, encoding))
+    if ((accessor.type != type && !is_color) || !is_encoded(accessor, encoding, source.quantized))
         return attributes.invalid(
             key, fmt::format("accessor {} has a type that this attribute can't have", *index));
     if (count != 0 && accessor.count != count)
@@ -59,20 +70,32 @@ Result<std::optional<std::size_t>> find(const Json& attributes, const Source& so
     return index;
 }
 
-Result<Values> read_finite(const Source& source, std::size_t accessor) {
-    HM_TRY_ASSIGN(Values values, read_floats(source, accessor));
-    HM_TRY(check_finite(source, accessor, values));
-    return values;
+template <class Body>
+void for_each_vertex(std::size_t count, const Body& body) {
+    constexpr std::size_t kGrain = 1 << 14;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            body(i);
+    });
+}
+
+constexpr std::size_t kVertexStride = sizeof(Vertex) / sizeof(float);
+constexpr std::size_t kExtraStride = sizeof(VertexExtra) / sizeof(float);
+
+Result<void> read_finite(const Source& source, std::size_t accessor, Target<float> to) {
+    HM_TRY(read_floats_to(source, accessor, to));
+    return check_finite(source, accessor, {to.first, to.stride});
 }
 
 Result<void> read_normals(std::size_t accessor, Source& source, Primitive& primitive) {
-    HM_TRY_ASSIGN(const Values values, read_floats(source, accessor));
-    bool all_good = true;
-    for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
-        vec3& normal = primitive.vertices[i].normal;
-        normal = unit_or_zero(vec3_at(values, i));
-        all_good = all_good && normal != vec3(0);
-    }
+    std::vector<Vertex>& vertices = primitive.vertices;
+    HM_TRY(read_floats_to(source, accessor, {&vertices[0].normal.x, kVertexStride}));
+    std::atomic<bool> all_good = true;
+    for_each_vertex(vertices.size(), [&](std::size_t i) {
+        vec3& normal = vertices[i].normal;
+        normal = unit_or_zero(normal);
+        if (normal == vec3(0)) all_good = false;
+    });
     if (!all_good)
         source.warn(accessor_place(accessor),
                     "some normals are zero or not finite; there the face's own normal is used");
@@ -81,16 +104,17 @@ Result<void> read_normals(std::size_t accessor, Source& source, Primitive& primi
 }
 
 Result<void> read_tangents(std::size_t accessor, Source& source, Primitive& primitive) {
-    HM_TRY_ASSIGN(const Values values, read_floats(source, accessor));
-    bool all_good = true;
-    for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
-        Vertex& vertex = primitive.vertices[i];
-        vec3 direction = unit_or_zero(vec3(values[4 * i], values[4 * i + 1], values[4 * i + 2]));
-        const float sign = values[4 * i + 3];
+    std::vector<Vertex>& vertices = primitive.vertices;
+    HM_TRY(read_floats_to(source, accessor, {&vertices[0].tangent.x, kVertexStride}));
+    std::atomic<bool> all_good = true;
+    for_each_vertex(vertices.size(), [&](std::size_t i) {
+        Vertex& vertex = vertices[i];
+        vec3 direction = unit_or_zero(vec3(vertex.tangent));
+        const float sign = vertex.tangent.w;
         if (direction == vec3(0) || std::abs(sign) != 1.0f) all_good = false;
         if (direction == vec3(0)) direction = any_perpendicular(vertex.normal);
         vertex.tangent = vec4(direction, sign < 0 ? -1.0f : 1.0f);
-    }
+    });
     if (!all_good)
         source.warn(accessor_place(accessor),
                     "some tangents have no direction or a w other than 1 and -1; the nearest valid "
@@ -99,17 +123,17 @@ Result<void> read_tangents(std::size_t accessor, Source& source, Primitive& prim
     return {};
 }
 
+// Where the accessor has no alpha, the 1 that stands there already is kept.
 Result<void> read_colors(std::size_t accessor, Source& source, Primitive& primitive) {
-    HM_TRY_ASSIGN(const Values values, read_finite(source, accessor));
-    const std::size_t width = source.accessors[accessor].type == ElementType::vec4 ? 4 : 3;
-    if (std::any_of(values.begin(), values.end(), [](float x) { return x < 0 || x > 1; }))
-        source.warn(accessor_place(accessor), "vertex colours outside 0 to 1, clamped");
-    for (std::size_t i = 0; i < primitive.extras.size(); ++i) {
-        vec4 color(1);
-        for (std::size_t c = 0; c < width; ++c)
-            color[c] = std::clamp(values[width * i + c], 0.0f, 1.0f);
-        primitive.extras[i].color = color;
-    }
+    std::vector<VertexExtra>& extras = primitive.extras;
+    HM_TRY(read_finite(source, accessor, {&extras[0].color.x, kExtraStride}));
+    std::atomic<bool> all_good = true;
+    for_each_vertex(extras.size(), [&](std::size_t i) {
+        const vec4 clamped = clamp(extras[i].color, vec4(0), vec4(1));
+        if (clamped != extras[i].color) all_good = false;
+        extras[i].color = clamped;
+    });
+    if (!all_good) source.warn(accessor_place(accessor), "vertex colours outside 0 to 1, clamped");
     return {};
 }
 
@@ -122,20 +146,19 @@ Result<std::optional<Attributes>> read_attributes(const Json& primitive, Source&
                          std::uint32_t count) {
         return find(json, source, key, type, encoding, count);
     };
-    constexpr Encoding kAny = Encoding::floats_or_normalized;
     Attributes out;
-    HM_TRY_ASSIGN(const auto position, get("POSITION", ElementType::vec3, Encoding::floats, 0));
+    HM_TRY_ASSIGN(const auto position, get("POSITION", ElementType::vec3, Encoding::position, 0));
     if (!position) {
         source.warn(primitive.place(), "a primitive without positions is left out");
         return std::nullopt;
     }
     out.position = *position;
     out.count = source.accessors[*position].count;
-    HM_TRY_ASSIGN(out.normal, get("NORMAL", ElementType::vec3, Encoding::floats, out.count));
-    HM_TRY_ASSIGN(out.tangent, get("TANGENT", ElementType::vec4, Encoding::floats, out.count));
-    HM_TRY_ASSIGN(out.uv0, get("TEXCOORD_0", ElementType::vec2, kAny, out.count));
-    HM_TRY_ASSIGN(out.uv1, get("TEXCOORD_1", ElementType::vec2, kAny, out.count));
-    HM_TRY_ASSIGN(out.color, get("COLOR_0", ElementType::vec4, kAny, out.count));
+    HM_TRY_ASSIGN(out.normal, get("NORMAL", ElementType::vec3, Encoding::direction, out.count));
+    HM_TRY_ASSIGN(out.tangent, get("TANGENT", ElementType::vec4, Encoding::direction, out.count));
+    HM_TRY_ASSIGN(out.uv0, get("TEXCOORD_0", ElementType::vec2, Encoding::coordinate, out.count));
+    HM_TRY_ASSIGN(out.uv1, get("TEXCOORD_1", ElementType::vec2, Encoding::coordinate, out.count));
+    HM_TRY_ASSIGN(out.color, get("COLOR_0", ElementType::vec4, Encoding::color, out.count));
     if (!out.normal) out.tangent.reset();
     return out;
 }
@@ -152,23 +175,15 @@ Result<void> read_vertices(const Attributes& attributes, Source& source, Primiti
     blank.tangent = vec4(0);
     blank.uv0 = vec2(0);
     primitive.vertices.assign(attributes.count, blank);
-    HM_TRY_ASSIGN(Values values, read_finite(source, attributes.position));
-    for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
-        primitive.vertices[i].position = vec3_at(values, i);
+    Vertex& first = primitive.vertices[0];
+    HM_TRY(read_finite(source, attributes.position, {&first.position.x, kVertexStride}));
     if (attributes.normal) HM_TRY(read_normals(*attributes.normal, source, primitive));
     if (attributes.tangent) HM_TRY(read_tangents(*attributes.tangent, source, primitive));
-    if (attributes.uv0) {
-        HM_TRY_ASSIGN(values, read_finite(source, *attributes.uv0));
-        for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
-            primitive.vertices[i].uv0 = vec2(values[2 * i], values[2 * i + 1]);
-    }
+    if (attributes.uv0) HM_TRY(read_finite(source, *attributes.uv0, {&first.uv0.x, kVertexStride}));
     if (!attributes.uv1 && !attributes.color) return {};
     primitive.extras.assign(attributes.count, VertexExtra{vec2(0), vec4(1)});
-    if (attributes.uv1) {
-        HM_TRY_ASSIGN(values, read_finite(source, *attributes.uv1));
-        for (std::size_t i = 0; i < primitive.extras.size(); ++i)
-            primitive.extras[i].uv1 = vec2(values[2 * i], values[2 * i + 1]);
-    }
+    if (attributes.uv1)
+        HM_TRY(read_finite(source, *attributes.uv1, {&primitive.extras[0].uv1.x, kExtraStride}));
     if (attributes.color) HM_TRY(read_colors(*attributes.color, source, primitive));
     return {};
 }

@@ -1,23 +1,67 @@
 #include "gltf/budget.h"
 
-namespace hm::gltf {
-namespace {
+#include <fmt/format.h>
+#include <unistd.h>
 
-tl::unexpected<Error> too_much(const Json& json) {
-    return json.invalid("", "the file decodes to too much data for its size");
+#include <algorithm>
+
+namespace hm::gltf {
+
+std::uint64_t memory_limit(const LoadOptions& options) {
+    if (options.memory_limit != 0) return options.memory_limit;
+    constexpr std::uint64_t kMost = 1ull << 34;
+    const auto pages = static_cast<std::uint64_t>(std::max(::sysconf(_SC_PHYS_PAGES), 0L));
+    const auto page = static_cast<std::uint64_t>(std::max(::sysconf(_SC_PAGESIZE), 0L));
+    const std::uint64_t memory = pages * page;
+    return memory == 0 ? kMost : std::min(kMost, memory / 4 * 3);
 }
 
-}  // namespace
+Budget make_budget(std::uint64_t limit, std::uint64_t file_bytes) {
+    constexpr std::uint64_t kLeastWork = 1ull << 36;  // a minute or so
+    Budget budget;
+    budget.limit = limit;
+    budget.kept_bytes = limit - std::min(limit, file_bytes);
+    budget.decoded_bytes = kLeastWork;
+    add_work(budget, file_bytes);
+    return budget;
+}
+
+void add_work(Budget& budget, std::uint64_t input_bytes) {
+    // Decoding makes at most 7 bytes from one where nothing is used twice. Shared vertex data and
+    // meshes of many primitives take more.
+    constexpr std::uint64_t kFactor = 256;
+    budget.decoded_bytes += kFactor * input_bytes;
+}
+
+std::uint64_t json_memory(std::span<const std::byte> text) {
+    // The parser copies the text, and the strings once more. A value makes up to three words of
+    // its tape, and what the loader itself lists of it.
+    constexpr std::uint64_t kValue = 24 + sizeof(Json);
+    const auto values = std::count_if(text.begin(), text.end(), [](std::byte b) {
+        return b == std::byte(',') || b == std::byte('{') || b == std::byte('[');
+    });
+    return 2 * text.size() + kValue * static_cast<std::uint64_t>(values);
+}
+
+Result<void> check_memory(const Budget& budget, std::uint64_t bytes, const std::string& file,
+                          const std::string& place) {
+    if (bytes <= budget.kept_bytes) return {};
+    return fail(ExitCode::invalid, file, place,
+                fmt::format("needs {} bytes of memory, but of the limit of {} only {} are left "
+                            "(--memory-limit)",
+                            bytes, budget.limit, budget.kept_bytes));
+}
 
 Result<void> take_work(const Json& json, Source& source, std::uint64_t bytes) {
-    if (bytes > source.budget.kept_bytes || bytes > source.budget.decoded_bytes)
-        return too_much(json);
+    HM_TRY(check_memory(source.budget, bytes, source.file, json.place()));
+    if (bytes > source.budget.decoded_bytes)
+        return json.invalid("", "the file decodes to too much data for its size");
     source.budget.decoded_bytes -= bytes;
     return {};
 }
 
 Result<void> take_memory(const Json& json, Source& source, std::uint64_t bytes) {
-    if (bytes > source.budget.kept_bytes) return too_much(json);
+    HM_TRY(check_memory(source.budget, bytes, source.file, json.place()));
     source.budget.kept_bytes -= bytes;
     return {};
 }

@@ -1,10 +1,11 @@
 // Buffers and buffer views (glTF 2.0, 3.6.1).
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
+#include <system_error>
 
 #include "base/files.h"
+#include "gltf/budget.h"
 #include "gltf/source.h"
 #include "gltf/uri.h"
 
@@ -18,16 +19,24 @@ std::optional<std::span<const std::byte>> chunk_of(const Source& source, std::si
 
 }  // namespace
 
-Result<std::vector<std::byte>> read_uri(const Source& source, const Json& owner,
-                                        std::string_view uri) {
+Result<std::vector<std::byte>> read_uri(Source& source, const Json& owner, std::string_view uri) {
     if (is_data_uri(uri)) {
+        HM_TRY(take_memory(owner, source, uri.size() / 4 * 3));
         auto bytes = decode_data_uri(uri);
         if (!bytes) return owner.invalid("uri", bytes.error());
         return std::move(*bytes);
     }
-    const auto path = decode_path(uri);
+    const bool allow_external = source.options.allow_external;
+    const auto path = decode_path(uri, allow_external);
     if (!path) return owner.invalid("uri", fmt::format("{}: {}", excerpt(uri), path.error()));
-    auto bytes = read_file(source.folder / *path);
+    const std::filesystem::path whole = source.folder / *path;
+    if (!allow_external)
+        if (const auto inside = check_inside(whole, source.folder); !inside)
+            return owner.invalid("uri", fmt::format("{}: {}", excerpt(uri), inside.error()));
+    std::error_code ignored;  // read_file says what is wrong with a file
+    const std::uintmax_t size = std::filesystem::file_size(whole, ignored);
+    if (!ignored) HM_TRY(take_memory(owner, source, size));
+    auto bytes = read_file(whole);
     if (!bytes)
         return owner.fail(ExitCode::unreadable, "uri",
                           fmt::format("{}: {}", excerpt(path->string()), bytes.error().message));
@@ -36,7 +45,6 @@ Result<std::vector<std::byte>> read_uri(const Source& source, const Json& owner,
 
 Result<void> read_buffers(const Json& root, Source& source) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("buffers"));
-    source.storage.reserve(items.size());  // spans into the elements must survive growth
     std::map<std::string_view, std::span<const std::byte>> read;  // a file named twice is read once
     for (const Json& item : items) {
         Buffer buffer;
@@ -48,7 +56,9 @@ Result<void> read_buffers(const Json& root, Source& source) {
             const auto [known, is_new] = read.try_emplace(*uri);
             if (is_new) {
                 HM_TRY_ASSIGN(auto content, read_uri(source, item, *uri));
-                known->second = source.storage.emplace_back(std::move(content));
+                known->second = content;  // bytes stay where they are when the vector is moved
+                source.storage.push_back(std::move(content));
+                add_work(source.budget, known->second.size());
             }
             bytes = known->second;
         }
@@ -59,19 +69,6 @@ Result<void> read_buffers(const Json& root, Source& source) {
         source.buffers.push_back(buffer);
     }
     return {};
-}
-
-void set_budget(Source& source, std::uint64_t file_bytes) {
-    // Decoding makes at most 7 bytes from one where nothing is used twice. Shared vertex data and
-    // meshes of many primitives take more; the floor leaves small files alone.
-    constexpr std::uint64_t kFactor = 256;
-    constexpr std::uint64_t kFloor = 1ull << 30;
-    constexpr std::uint64_t kWork = 1ull << 36;  // a minute or so
-    std::uint64_t bytes = file_bytes;
-    for (const auto& content : source.storage)
-        bytes += content.size();
-    source.budget.kept_bytes = std::max(kFloor, kFactor * bytes);
-    source.budget.decoded_bytes = std::max(kWork, kFactor * bytes);
 }
 
 Result<void> read_buffer_views(const Json& root, Source& source) {

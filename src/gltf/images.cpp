@@ -3,28 +3,23 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <atomic>
-
+#include "gltf/budget.h"
 #include "gltf/materials.h"
+#include "gltf/uri.h"
+#include "image/codecs.h"
+#include "image/decoded_size.h"
 #include "image/read.h"
 
 namespace hm::gltf {
 namespace {
 
-// Decoded pixels of all images together. A few kilobytes of PNG can ask for a gigabyte.
-constexpr std::uint64_t kMaxImageBytes = 1ull << 35;
-
-// The bytes of an image, in `storage` unless they lie in a buffer.
-Result<std::span<const std::byte>> image_bytes(const Json& item, const Source& source,
-                                               std::vector<std::byte>& storage) {
-    HM_TRY_ASSIGN(const auto uri, item.text("uri"));
-    HM_TRY_ASSIGN(const auto view, item.index("bufferView", source.views.size(), "buffer views"));
-    if (uri && view) return item.invalid("", "has both a uri and a bufferView");
-    if (view) return view_bytes(source, *view);
-    if (!uri) return item.invalid("", "has neither a uri nor a bufferView");
-    HM_TRY_ASSIGN(storage, read_uri(source, item, *uri));
-    return storage;
-}
+// A picture as the file has it: in `storage` unless it lies in a buffer.
+struct Encoded {
+    std::vector<std::byte> storage;
+    std::span<const std::byte> bytes;
+    std::string name;
+    std::uint64_t decoded_bytes = 0;  // taken from the budget
+};
 
 // The name of a picture format that glTF files carry by extension only, else empty.
 std::string_view foreign_format(std::span<const std::byte> bytes) {
@@ -36,17 +31,49 @@ std::string_view foreign_format(std::span<const std::byte> bytes) {
     return {};
 }
 
-Result<Image> read_one(const Json& item, const Source& source) {
-    std::vector<std::byte> storage;
-    HM_TRY_ASSIGN(const auto bytes, image_bytes(item, source, storage));
-    const std::string_view key = item.has("uri") ? "uri" : "bufferView";
-    if (const std::string_view format = foreign_format(bytes); !format.empty())
-        return item.fail(ExitCode::unsupported, key,
+// Content decides; a media type that says otherwise is a mistake that viewers forgive.
+void check_media_type(const Json& item, Source& source, std::string_view said, FileFormat format) {
+    const std::string_view is = format == FileFormat::png    ? "image/png"
+                                : format == FileFormat::jpeg ? "image/jpeg"
+                                                             : "";
+    if (said.empty() || is.empty() || said == is || said == "application/octet-stream") return;
+    source.warn(item.place(), fmt::format("is called {} but is {}", excerpt(said), is));
+}
+
+std::string_view key_of(const Json& item) {
+    return item.has("uri") ? "uri" : "bufferView";
+}
+
+Result<void> fetch_bytes(const Json& item, Source& source, Encoded& out) {
+    HM_TRY_ASSIGN(const auto uri, item.text("uri"));
+    HM_TRY_ASSIGN(const auto view, item.index("bufferView", source.views.size(), "buffer views"));
+    if (uri && view) return item.invalid("", "has both a uri and a bufferView");
+    if (!uri && !view) return item.invalid("", "has neither a uri nor a bufferView");
+    if (view) {
+        HM_TRY_ASSIGN(out.bytes, view_bytes(source, *view));
+    } else {
+        HM_TRY_ASSIGN(out.storage, read_uri(source, item, *uri));
+        out.bytes = out.storage;
+    }
+    HM_TRY_ASSIGN(const auto type, item.text("mimeType"));
+    const std::string_view said = type                       ? *type
+                                  : uri && is_data_uri(*uri) ? media_type(*uri)
+                                                             : std::string_view();
+    check_media_type(item, source, said, file_format(out.bytes));
+    return {};
+}
+
+// Everything but the pixels, whose memory is taken from the budget.
+Result<Encoded> fetch(const Json& item, Source& source) {
+    Encoded out;
+    HM_TRY(fetch_bytes(item, source, out));
+    if (const std::string_view format = foreign_format(out.bytes); !format.empty())
+        return item.fail(ExitCode::unsupported, key_of(item),
                          fmt::format("is a {} image; PNG and JPEG are read", format));
-    HM_TRY_ASSIGN(const std::string name, item.name());
-    auto image = read_texture_image(bytes, name);
-    if (!image) return item.fail(image.error().code, key, std::move(image.error().message));
-    return std::move(*image);
+    HM_TRY_ASSIGN(out.name, item.name());
+    out.decoded_bytes = decoded_size(out.bytes).value_or(0);
+    HM_TRY(take_memory(item, source, out.decoded_bytes));
+    return out;
 }
 
 // Which of the file's images are read, as their places in the scene's list or kUnset.
@@ -77,21 +104,23 @@ Result<std::vector<Image>> read_images(const Json& root, Source& source,
         for (TextureSlot* slot : texture_slots(material))
             if (slot->image != kUnset) slot->image = new_index[std::size_t(slot->image)];
 
+    std::vector<Encoded> encoded;
+    for (const std::size_t i : chosen) {
+        HM_TRY_ASSIGN(encoded.emplace_back(), fetch(items[i], source));
+    }
     std::vector<Result<Image>> read(chosen.size());
-    std::atomic<std::uint64_t> total = 0;
     tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
-        if (total > kMaxImageBytes) return;
-        read[i] = read_one(items[chosen[i]], source);
-        if (read[i]) total += read[i]->pixels.size();
+        read[i] = read_texture_image(encoded[i].bytes, encoded[i].name);
+        encoded[i].storage = {};
     });
-    // Which images were skipped depends on timing, so this error goes before all others.
-    if (total > kMaxImageBytes)
-        return root.invalid("images", fmt::format("decode to more than {} bytes", kMaxImageBytes));
     std::vector<Image> images;
     images.reserve(read.size());
-    for (Result<Image>& image : read) {
-        if (!image) return tl::unexpected(std::move(image.error()));
-        images.push_back(std::move(*image));
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        const Json& item = items[chosen[i]];
+        if (!read[i])
+            return item.fail(read[i].error().code, key_of(item),
+                             std::move(read[i].error().message));
+        images.push_back(std::move(*read[i]));
     }
     return images;
 }

@@ -72,6 +72,17 @@ TEST(Images, FromBufferViewAndFile) {
     EXPECT_EQ(scene->images[0].pixels, scene->images[1].pixels);
 }
 
+TEST(Images, AMediaTypeThatIsWrongIsWarnedOf) {
+    const std::string said =
+        fmt::format(R"({{"uri":"data:image/png;base64,{}","mimeType":"image/jpeg"}})", kPng1);
+    const std::string in_uri = fmt::format(R"({{"uri":"data:image/jpeg;base64,{}"}})", kPng1);
+    const Loaded loaded =
+        load_text(document(three_images(fmt::format("[{},{},{{}}]", said, in_uri))));
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    EXPECT_EQ(loaded.warned("/images/0", "is called \"image/jpeg\" but is image/png"), 2u);
+    EXPECT_EQ(loaded.diagnostics.warnings().size(), 1u);
+}
+
 TEST(Images, Refusals) {
     const std::string good = data_image(kPng1);
     const auto images = [&](const std::string& a, const std::string& b) {

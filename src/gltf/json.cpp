@@ -37,6 +37,43 @@ std::string element_place(std::string_view array_place, std::size_t i) {
     return fmt::format("{}/{}", array_place, i);
 }
 
+// The tokens of a JSON pointer (RFC 6901, 3).
+std::string escaped(std::string_view key) {
+    std::string out;
+    for (const char c : key)
+        out += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+    return out;
+}
+
+// The first key that stands twice in an object, anywhere below `value`: its tokens are put in
+// front of `place`. Which of the two values counts would depend on the reader.
+bool find_repeated_key(dom::element value, std::string& place) {
+    if (value.is_array()) {
+        std::size_t i = 0;
+        for (const dom::element item : dom::array(value)) {
+            if (find_repeated_key(item, place)) {
+                place = element_place("", i) + place;
+                return true;
+            }
+            ++i;
+        }
+        return false;
+    }
+    if (!value.is_object()) return false;
+    std::vector<std::string_view> keys;
+    for (const auto& [key, item] : dom::object(value)) {
+        keys.push_back(key);
+        if (!find_repeated_key(item, place)) continue;
+        place = "/" + escaped(key) + place;
+        return true;
+    }
+    std::sort(keys.begin(), keys.end());
+    const auto twice = std::adjacent_find(keys.begin(), keys.end());
+    if (twice == keys.end()) return false;
+    place = "/" + escaped(*twice);
+    return true;
+}
+
 }  // namespace
 
 std::string excerpt(std::string_view text) {
@@ -141,22 +178,22 @@ Result<std::string> Json::name() const {
     return std::string(value.value_or(""));
 }
 
-Result<std::uint64_t> Json::to_integer(dom::element value, std::string place) const {
+template <class Place>
+Result<std::uint64_t> Json::to_integer(dom::element value, const Place& place) const {
     double number = 0;
-    if (value.get(number) != simdjson::SUCCESS)
-        return mistyped(std::move(place), "an integer", value);
+    if (value.get(number) != simdjson::SUCCESS) return mistyped(place(), "an integer", value);
     if (number < 0 || number > kMaxInteger || number != std::floor(number))
-        return hm::fail(ExitCode::invalid, *file_, std::move(place),
+        return hm::fail(ExitCode::invalid, *file_, place(),
                         fmt::format("expected an integer from 0 to 2^53, found {}", number));
     return static_cast<std::uint64_t>(number);
 }
 
-Result<float> Json::to_number(dom::element value, std::string place) const {
+template <class Place>
+Result<float> Json::to_number(dom::element value, const Place& place) const {
     double number = 0;
-    if (value.get(number) != simdjson::SUCCESS)
-        return mistyped(std::move(place), "a number", value);
+    if (value.get(number) != simdjson::SUCCESS) return mistyped(place(), "a number", value);
     if (std::abs(number) > double(std::numeric_limits<float>::max()))
-        return hm::fail(ExitCode::invalid, *file_, std::move(place),
+        return hm::fail(ExitCode::invalid, *file_, place(),
                         fmt::format("{} does not fit a 32-bit float", number));
     return static_cast<float>(number);
 }
@@ -164,7 +201,7 @@ Result<float> Json::to_number(dom::element value, std::string place) const {
 Result<std::optional<std::uint64_t>> Json::integer(std::string_view key) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
-    return to_integer(*found, place_of(key));
+    return to_integer(*found, [&] { return place_of(key); });
 }
 
 Result<std::optional<std::size_t>> Json::index(std::string_view key, std::size_t count,
@@ -181,12 +218,11 @@ Result<std::vector<std::size_t>> Json::indices(std::string_view key, std::size_t
     HM_TRY_ASSIGN(const auto values, array(key));
     std::vector<std::size_t> out;
     if (!values) return out;
-    const std::string place = place_of(key);
     for (const dom::element value : *values) {
-        std::string here = element_place(place, out.size());
+        const auto here = [&] { return element_place(place_of(key), out.size()); };
         HM_TRY_ASSIGN(const std::uint64_t index, to_integer(value, here));
         if (index >= count)
-            return hm::fail(ExitCode::invalid, *file_, std::move(here),
+            return hm::fail(ExitCode::invalid, *file_, here(),
                             fmt::format("{} is past the end of the {} {}", index, count, what));
         out.push_back(static_cast<std::size_t>(index));
     }
@@ -196,7 +232,7 @@ Result<std::vector<std::size_t>> Json::indices(std::string_view key, std::size_t
 Result<std::optional<float>> Json::number(std::string_view key) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
-    return to_number(*found, place_of(key));
+    return to_number(*found, [&] { return place_of(key); });
 }
 
 Result<float> Json::number_or(std::string_view key, float fallback) const {
@@ -209,8 +245,8 @@ Result<std::vector<float>> Json::number_list(std::string_view key) const {
     std::vector<float> out;
     if (!values) return out;
     for (const dom::element value : *values) {
-        HM_TRY_ASSIGN(const float number,
-                      to_number(value, element_place(place_of(key), out.size())));
+        const auto here = [&] { return element_place(place_of(key), out.size()); };
+        HM_TRY_ASSIGN(const float number, to_number(value, here));
         out.push_back(number);
     }
     return out;
@@ -247,11 +283,15 @@ Result<Json> parse_json(dom::parser& parser, std::span<const std::byte> text,
         return reject(fmt::format("is nested more than {} levels deep", kMaxJsonDepth));
     if (status == simdjson::UTF8_ERROR) return reject("is not valid UTF-8");
     if (status == simdjson::EMPTY) return reject("is empty");
+    if (status == simdjson::NUMBER_ERROR)
+        return reject("is not valid JSON: a number is malformed or beyond a 64-bit float");
     if (status == simdjson::MEMALLOC)
         return hm::fail(ExitCode::unreadable, file, "", "its JSON does not fit in memory");
     if (status != simdjson::SUCCESS)
         return reject(fmt::format("is not valid JSON: {}", simdjson::error_message(status)));
     if (!root.is_object()) return reject("is not a glTF file: its JSON is no object");
+    if (std::string place; find_repeated_key(root, place))
+        return hm::fail(ExitCode::invalid, file, place, "stands twice in its object");
     return Json(root, "", &file);
 }
 

@@ -72,8 +72,11 @@ class Json {
     Result<std::optional<simdjson::dom::array>> array(std::string_view key) const;
     tl::unexpected<Error> mistyped(std::string place, std::string_view expected,
                                    simdjson::dom::element found) const;
-    Result<std::uint64_t> to_integer(simdjson::dom::element value, std::string place) const;
-    Result<float> to_number(simdjson::dom::element value, std::string place) const;
+    // `place` is a function: texts are made only where something is wrong.
+    template <class Place>
+    Result<std::uint64_t> to_integer(simdjson::dom::element value, const Place& place) const;
+    template <class Place>
+    Result<float> to_number(simdjson::dom::element value, const Place& place) const;
 
     simdjson::dom::element value_;
     std::string place_;

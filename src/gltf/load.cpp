@@ -2,10 +2,12 @@
 #include "gltf/load.h"
 
 #include <new>
+#include <system_error>
 
 #include "base/files.h"
 #include "gltf/animations.h"
 #include "gltf/asset.h"
+#include "gltf/budget.h"
 #include "gltf/cameras_lights.h"
 #include "gltf/container.h"
 #include "gltf/images.h"
@@ -16,6 +18,7 @@
 #include "gltf/nodes.h"
 #include "gltf/skins.h"
 #include "gltf/source.h"
+#include "gltf/variants.h"
 #include "scene/pose.h"
 #include "scene/tangents.h"
 
@@ -31,20 +34,23 @@ std::vector<bool> used_materials(const Scene& scene) {
 }
 
 Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path& path,
-                   Diagnostics& diagnostics) {
+                   Diagnostics& diagnostics, const LoadOptions& options) {
     using namespace gltf;
     const std::string file = path.string();
     HM_TRY_ASSIGN(const Container container, split_container(bytes, file, diagnostics));
+    Source source{file, path.parent_path(), diagnostics, options, container.binary};
+    source.budget = make_budget(memory_limit(options), bytes.size());
+    HM_TRY(check_memory(source.budget, json_memory(container.json), file, ""));
+    source.budget.kept_bytes -= json_memory(container.json);
     simdjson::dom::parser parser;
     HM_TRY_ASSIGN(const Json root, parse_json(parser, container.json, file));
     HM_TRY(check_asset(root));
 
-    Source source{file, path.parent_path(), diagnostics, container.binary, {}, {}, {}, {}, {}};
     HM_TRY(check_extensions(root, source));
+    HM_TRY(choose_variant(root, source));
     HM_TRY(read_buffers(root, source));
     HM_TRY(read_buffer_views(root, source));
     HM_TRY(read_accessors(root, source));
-    set_budget(source, bytes.size());
 
     Scene scene;
     scene.file = file;
@@ -65,15 +71,21 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
 
 }  // namespace
 
-Result<Scene> load_gltf(const std::filesystem::path& path, Diagnostics& diagnostics) {
+Result<Scene> load_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
+                        const LoadOptions& options) {
+    // read_file says what is wrong with a file that has no size.
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    const gltf::Budget whole = gltf::make_budget(gltf::memory_limit(options), 0);
+    if (!unknown) HM_TRY(gltf::check_memory(whole, size, path.string(), ""));
     HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
-    return load_gltf_bytes(bytes, path, diagnostics);
+    return load_gltf_bytes(bytes, path, diagnostics, options);
 }
 
 Result<Scene> load_gltf_bytes(std::span<const std::byte> bytes, const std::filesystem::path& path,
-                              Diagnostics& diagnostics) {
+                              Diagnostics& diagnostics, const LoadOptions& options) {
     try {
-        return load(bytes, path, diagnostics);
+        return load(bytes, path, diagnostics, options);
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::internal, path.string(), "", "the scene does not fit in memory");
     }

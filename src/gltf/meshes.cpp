@@ -12,6 +12,7 @@
 #include "gltf/materials.h"
 #include "gltf/morph.h"
 #include "gltf/triangles.h"
+#include "gltf/variants.h"
 
 namespace hm::gltf {
 namespace {
@@ -95,7 +96,7 @@ Result<std::optional<Primitive>> read_primitive(const Json& json, Source& source
                                                 const std::vector<Material>& materials) {
     Primitive primitive;
     HM_TRY_ASSIGN(const auto topology, read_topology(json, source));
-    HM_TRY_ASSIGN(const auto material, json.index("material", materials.size(), "materials"));
+    HM_TRY_ASSIGN(const auto material, read_material_index(json, source, materials.size()));
     HM_TRY_ASSIGN(const std::optional<Attributes> attributes, read_attributes(json, source));
     if (!topology || !attributes) return std::nullopt;
     if (material) {

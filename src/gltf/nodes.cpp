@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 
+#include "gltf/budget.h"
+#include "gltf/mesh_instancing.h"
 #include "gltf/morph.h"
 #include "gltf/transform.h"
 
@@ -27,7 +31,15 @@ struct Counts {
     std::size_t nodes, skins;
 };
 
-Result<FileNode> read_node(const Json& item, const Counts& counts, const Scene& scene) {
+// KHR_node_visibility; whether the node's ancestors are visible is another matter.
+Result<bool> read_visible(const Json& item) {
+    HM_TRY_ASSIGN(const auto extension, item.extension("KHR_node_visibility"));
+    if (!extension || !extension->has("visible")) return true;
+    return extension->flag("visible");
+}
+
+Result<FileNode> read_node(const Json& item, Source& source, const Counts& counts,
+                           const Scene& scene) {
     FileNode out;
     HM_TRY_ASSIGN(out.node.name, item.name());
     HM_TRY(read_transform(item, out.node));
@@ -41,6 +53,12 @@ Result<FileNode> read_node(const Json& item, const Counts& counts, const Scene& 
     out.node.mesh = to_int(mesh);
     out.node.skin = to_int(skin);
     out.node.camera = to_int(camera);
+    HM_TRY_ASSIGN(out.node.visible, read_visible(item));
+    HM_TRY_ASSIGN(out.node.instances, read_instances(item, source));
+    if (!out.node.instances.empty() && (!mesh || skin)) {
+        source.warn(item.place(), "instances of no mesh or of a skinned one are not drawn");
+        out.node.instances.clear();
+    }
     HM_TRY_ASSIGN(const auto lights, item.extension("KHR_lights_punctual"));
     if (lights) {
         HM_TRY_ASSIGN(
@@ -85,16 +103,39 @@ std::vector<std::size_t> all_roots(const std::vector<FileNode>& nodes) {
     return roots;
 }
 
-// The root nodes of the scene that "scene" names, of the first one, or of the whole file.
+// The scene of the options' name or index, a name first.
+Result<std::size_t> find_scene(const Json& root, const std::vector<Json>& scenes,
+                               const std::string& wanted) {
+    std::string known;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        HM_TRY_ASSIGN(const std::string name, scenes[i].name());
+        if (name == wanted) return i;
+        known += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, excerpt(name));
+    }
+    std::size_t index = 0;
+    const char* const end = wanted.data() + wanted.size();
+    const auto [stopped, error] = std::from_chars(wanted.data(), end, index);
+    if (error == std::errc() && stopped == end && index < scenes.size()) return index;
+    return root.fail(ExitCode::usage, "",
+                     fmt::format("--scene: there is no scene {}; the file has {}", excerpt(wanted),
+                                 known.empty() ? "none" : known));
+}
+
+// The root nodes of the scene that the options or "scene" name, of the first one, or of the whole
+// file.
 Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
                                               const std::vector<FileNode>& nodes) {
     HM_TRY_ASSIGN(const std::vector<Json> scenes, root.objects("scenes"));
-    HM_TRY_ASSIGN(const auto chosen, root.index("scene", scenes.size(), "scenes"));
+    HM_TRY_ASSIGN(const auto named, root.index("scene", scenes.size(), "scenes"));
+    std::size_t chosen = named.value_or(0);
+    if (!source.options.scene.empty()) {
+        HM_TRY_ASSIGN(chosen, find_scene(root, scenes, source.options.scene));
+    }
     if (scenes.empty()) {
         source.warn("", "the file has no scene; all its nodes are shown");
         return all_roots(nodes);
     }
-    const Json& scene = scenes[chosen.value_or(0)];
+    const Json& scene = scenes[chosen];
     HM_TRY_ASSIGN(std::vector<std::size_t> roots, scene.indices("nodes", nodes.size(), "nodes"));
     std::vector<bool> listed(nodes.size(), false);
     for (std::size_t i = 0; i < roots.size(); ++i) {
@@ -135,15 +176,22 @@ bool is_finite(const glm::mat4& m) {
     return true;
 }
 
+bool all_finite(const Node& node, const glm::mat4& world) {
+    return is_finite(world) &&
+           std::all_of(node.instances.begin(), node.instances.end(),
+                       [&](const glm::mat4& instance) { return is_finite(world * instance); });
+}
+
 }  // namespace
 
 Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& scene) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("nodes"));
     HM_TRY_ASSIGN(const std::vector<Json> skins, root.objects("skins"));
+    HM_TRY(take_memory(root, source, items.size() * (sizeof(FileNode) + sizeof(Node))));
     std::vector<FileNode> nodes;
     nodes.reserve(items.size());
     for (const Json& item : items) {
-        HM_TRY_ASSIGN(FileNode node, read_node(item, {items.size(), skins.size()}, scene));
+        HM_TRY_ASSIGN(FileNode node, read_node(item, source, {items.size(), skins.size()}, scene));
         nodes.push_back(std::move(node));
     }
     HM_TRY(link_parents(source, nodes));
@@ -151,7 +199,8 @@ Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& sce
     std::vector<int> scene_node = flatten(nodes, roots, scene);
     const std::vector<glm::mat4> world = world_transforms(scene);
     for (std::size_t i = 0; i < scene_node.size(); ++i)
-        if (scene_node[i] != kUnset && !is_finite(world[std::size_t(scene_node[i])]))
+        if (scene_node[i] != kUnset &&
+            !all_finite(scene.nodes[std::size_t(scene_node[i])], world[std::size_t(scene_node[i])]))
             return broken(source, i, "its world transform overflows a 32-bit float");
     return scene_node;
 }

@@ -13,6 +13,7 @@
 #include "base/diagnostics.h"
 #include "base/result.h"
 #include "gltf/json.h"
+#include "gltf/load.h"
 
 namespace hm::gltf {
 
@@ -62,22 +63,27 @@ struct Accessor {
     std::optional<SparseElements> sparse;
 };
 
-// What decoding may still take. A small file can name the same bytes many times over.
+// What may still be taken. A small file can name the same bytes many times over.
 struct Budget {
-    std::uint64_t kept_bytes = 0;     // in the scene
-    std::uint64_t decoded_bytes = 0;  // in all, also what is thrown away again
+    std::uint64_t kept_bytes = 0;     // of memory, until loading ends
+    std::uint64_t decoded_bytes = 0;  // of work: in all, also what is thrown away again
+    std::uint64_t limit = 0;          // what kept_bytes began with, for messages
 };
 
 struct Source {
     std::string file;
     std::filesystem::path folder;
     Diagnostics& diagnostics;
-    std::optional<std::span<const std::byte>> binary;  // GLB's BIN chunk
-    std::vector<std::vector<std::byte>> storage;       // external and data URI buffers
-    std::vector<Buffer> buffers;
-    std::vector<BufferView> views;
-    std::vector<Accessor> accessors;
-    Budget budget;
+    LoadOptions options{};
+    std::optional<std::span<const std::byte>> binary{};  // GLB's BIN chunk
+    std::vector<std::vector<std::byte>> storage{};       // external and data URI buffers
+    std::vector<Buffer> buffers{};
+    std::vector<BufferView> views{};
+    std::vector<Accessor> accessors{};
+    Budget budget{};
+    bool quantized = false;  // KHR_mesh_quantization is used
+    std::size_t variant_count = 0;
+    std::optional<std::size_t> variant{};  // the chosen one
 
     void warn(std::string place, std::string message) {
         diagnostics.warn(file, std::move(place), std::move(message));
@@ -92,14 +98,11 @@ Result<void> read_buffers(const Json& root, Source& source);
 Result<void> read_buffer_views(const Json& root, Source& source);
 Result<void> read_accessors(const Json& root, Source& source);
 
-// Sets the budget once the buffers' sizes are known; `file_bytes` is that of the file itself.
-void set_budget(Source& source, std::uint64_t file_bytes);
-
 // The bytes of a buffer view. Fails where its buffer has no source.
 Result<std::span<const std::byte>> view_bytes(const Source& source, std::size_t view);
 
-// The bytes a URI names, wherever they are. `owner` is the buffer or image with a "uri" property.
-Result<std::vector<std::byte>> read_uri(const Source& source, const Json& owner,
-                                        std::string_view uri);
+// The bytes a URI names, wherever they are, taken from the budget. `owner` is the buffer or image
+// with a "uri" property.
+Result<std::vector<std::byte>> read_uri(Source& source, const Json& owner, std::string_view uri);
 
 }  // namespace hm::gltf

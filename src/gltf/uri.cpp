@@ -1,8 +1,9 @@
 #include "gltf/uri.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <system_error>
 
 namespace hm::gltf {
 namespace {
@@ -67,6 +68,23 @@ UriResult<std::vector<std::byte>> decode_base64(std::string_view text) {
     return bytes;
 }
 
+UriResult<std::string> decode_percent(std::string_view text) {
+    std::string decoded;
+    decoded.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '%') {
+            decoded += text[i];
+            continue;
+        }
+        const int high = i + 2 < text.size() ? hex_value(text[i + 1]) : -1;
+        const int low = i + 2 < text.size() ? hex_value(text[i + 2]) : -1;
+        if (high < 0 || low < 0) return refuse("\"%\" is not followed by two hexadecimal digits");
+        decoded += static_cast<char>(high * 16 + low);
+        i += 2;
+    }
+    return decoded;
+}
+
 }  // namespace
 
 bool is_data_uri(std::string_view uri) {
@@ -86,30 +104,50 @@ UriResult<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
     return bytes;
 }
 
-UriResult<std::filesystem::path> decode_path(std::string_view uri) {
+std::string_view media_type(std::string_view data_uri) {
+    constexpr std::size_t kScheme = 5;
+    const std::size_t end = data_uri.find_first_of(";,", kScheme);
+    return data_uri.substr(kScheme, end == std::string_view::npos ? 0 : end - kScheme);
+}
+
+UriResult<std::filesystem::path> decode_path(std::string_view uri, bool allow_external) {
     if (uri.empty()) return refuse("empty URI");
-    if (has_scheme(uri))
+    constexpr std::string_view kFile = "file:";
+    const bool is_file = equal_ignoring_case(uri.substr(0, kFile.size()), kFile);
+    if (is_file && allow_external) {
+        uri.remove_prefix(kFile.size());
+        if (uri.starts_with("//")) uri.remove_prefix(2);
+        if (!uri.starts_with('/')) return refuse("a file URI of another machine is not read");
+    } else if (has_scheme(uri)) {
         return refuse("only relative paths and data URIs are read, no other scheme");
-    std::string decoded;
-    decoded.reserve(uri.size());
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        if (uri[i] != '%') {
-            decoded += uri[i];
-            continue;
-        }
-        const int high = i + 2 < uri.size() ? hex_value(uri[i + 1]) : -1;
-        const int low = i + 2 < uri.size() ? hex_value(uri[i + 2]) : -1;
-        if (high < 0 || low < 0) return refuse("\"%\" is not followed by two hexadecimal digits");
-        decoded += static_cast<char>(high * 16 + low);
-        i += 2;
     }
-    if (decoded.find('\0') != std::string::npos) return refuse("the path holds a zero byte");
-    std::filesystem::path path(decoded);
-    if (path.has_root_path()) return refuse("absolute paths are refused");
+    auto decoded = decode_percent(uri);
+    if (!decoded) return tl::unexpected(std::move(decoded.error()));
+    if (decoded->find('\0') != std::string::npos) return refuse("the path holds a zero byte");
+    std::filesystem::path path(*decoded);
+    if (allow_external) return path;
+    // On some machines a backslash separates folders; a file that works here works there.
+    if (decoded->find('\\') != std::string::npos) return refuse("paths with \"\\\" are refused");
+    if (path.has_root_path()) return refuse("absolute paths are refused (--allow-external)");
     for (const auto& part : path)
         if (part == "..")
-            return refuse("paths with \"..\" are refused: they leave the file's folder");
+            return refuse(
+                "paths with \"..\" are refused: they leave the file's folder (--allow-external)");
     return path;
+}
+
+UriResult<void> check_inside(const std::filesystem::path& path,
+                             const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    if (error) return tl::unexpected(error.message());
+    const fs::path real = fs::weakly_canonical(path, error);
+    if (error) return tl::unexpected(error.message());
+    const auto [left, unused] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());
+    if (left != root.end())
+        return refuse("a symbolic link leads out of the file's folder (--allow-external)");
+    return {};
 }
 
 }  // namespace hm::gltf

@@ -19,8 +19,15 @@ bool is_data_uri(std::string_view uri);
 // The bytes of a base64 data URI. Strict: no white space, padding as RFC 4648 has it.
 UriResult<std::vector<std::byte>> decode_data_uri(std::string_view uri);
 
-// A percent-decoded path below the glTF file's folder. What could lead out of it is refused: "..",
-// absolute paths and schemes.
-UriResult<std::filesystem::path> decode_path(std::string_view uri);
+// The media type of a data URI, as written; empty where there is none.
+std::string_view media_type(std::string_view data_uri);
+
+// A percent-decoded path. Schemes of the network are always refused; what could lead out of the
+// glTF file's folder ("..", absolute paths, "file:", backslashes) unless `allow_external`.
+UriResult<std::filesystem::path> decode_path(std::string_view uri, bool allow_external = false);
+
+// Fails where symbolic links lead `path` out of `folder`.
+UriResult<void> check_inside(const std::filesystem::path& path,
+                             const std::filesystem::path& folder);
 
 }  // namespace hm::gltf

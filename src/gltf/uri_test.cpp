@@ -46,11 +46,70 @@ TEST(Path, DecodesPercent) {
 }
 
 TEST(Path, RefusesWhatLeavesTheFolder) {
-    for (const char* uri :
-         {"", "../a.bin", "a/../../b.bin", "a/..", "%2e%2e/a.bin", "/etc/a.bin", "%2Fetc/a.bin",
-          "//host/a.bin", "file:a.bin", "file:///a.bin", "http://host/a.bin", "HTTPS://host/a",
-          "C:/a.bin", "a%00b.bin", "a%2.bin", "a%", "a%zz"})
+    for (const char* uri : {"",
+                            "../a.bin",
+                            "a/../../b.bin",
+                            "a/..",
+                            "%2e%2e/a.bin",
+                            "/etc/a.bin",
+                            "%2Fetc/a.bin",
+                            "//host/a.bin",
+                            "file:a.bin",
+                            "file:///a.bin",
+                            "http://host/a.bin",
+                            "HTTPS://host/a",
+                            "C:/a.bin",
+                            "%2e./a.bin",
+                            "%2e%2E%2fa.bin",
+                            "a%2f%2e%2e%2f%2e%2e%2fb",
+                            "..%5ca.bin",
+                            "a\\b.bin",
+                            "a%5Cb.bin",
+                            "data%3a/../a",
+                            "ftp://host/a",
+                            "a%00b.bin",
+                            "a%2.bin",
+                            "a%",
+                            "a%zz"})
         EXPECT_FALSE(decode_path(uri)) << uri;
+}
+
+TEST(Path, ExternalOnesWhereAllowed) {
+    EXPECT_EQ(decode_path("../a.bin", true)->string(), "../a.bin");
+    EXPECT_EQ(decode_path("%2Fetc/a.bin", true)->string(), "/etc/a.bin");
+    EXPECT_EQ(decode_path("file:///etc/a%20b", true)->string(), "/etc/a b");
+    EXPECT_EQ(decode_path("FILE:/etc/a", true)->string(), "/etc/a");
+    for (const char* uri : {"", "http://host/a", "https:a", "file://host/a", "file:a", "a%00b"})
+        EXPECT_FALSE(decode_path(uri, true)) << uri;
+}
+
+TEST(Uri, SymbolicLinksThatLeadOut) {
+    const Folder outside;
+    const std::filesystem::path secret = outside.write("tri.bin", triangle_bytes());
+    const Folder folder;
+    const std::filesystem::path inside = folder.write("data/tri.bin", triangle_bytes());
+    namespace fs = std::filesystem;
+    fs::create_symlink(secret, inside.parent_path() / "leak.bin");
+    fs::create_directory_symlink(secret.parent_path(), inside.parent_path() / "leak");
+    fs::create_symlink(inside, inside.parent_path() / "kept.bin");
+    fs::create_symlink(inside.parent_path() / "nothing", inside.parent_path() / "dangling.bin");
+    const auto load = [&](const std::string& uri, bool allow_external) {
+        const std::string text =
+            document({{"buffers", "[{\"uri\":\"" + uri + "\",\"byteLength\":164}]"}});
+        Diagnostics diagnostics;
+        LoadOptions options;
+        options.allow_external = allow_external;
+        const auto scene = load_gltf(folder.write("scene.gltf", text), diagnostics, options);
+        return scene ? ExitCode::ok : scene.error().code;
+    };
+    EXPECT_EQ(load("data/kept.bin", false), ExitCode::ok);
+    EXPECT_EQ(load("data/leak.bin", false), ExitCode::invalid);
+    EXPECT_EQ(load("data/leak/tri.bin", false), ExitCode::invalid);
+    EXPECT_EQ(load("data/dangling.bin", false), ExitCode::unreadable);
+    EXPECT_EQ(load("data/leak.bin", true), ExitCode::ok);
+    EXPECT_EQ(load("data/leak/tri.bin", true), ExitCode::ok);
+    EXPECT_EQ(load(secret.string(), false), ExitCode::invalid);
+    EXPECT_EQ(load(secret.string(), true), ExitCode::ok);
 }
 
 TEST(Uri, ExternalFiles) {

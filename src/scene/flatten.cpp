@@ -108,28 +108,37 @@ void grow_by_instance(Bounds& bounds, const Bounds& mesh, const mat4x3& object_t
                                             (i & 4) != 0 ? mesh.high.z : mesh.low.z, 1));
 }
 
+void add_instance(FlatScene& flat, const Scene& scene, const Node& node, const glm::mat4& placed,
+                  const Bounds& local_bounds, Diagnostics& diagnostics) {
+    const glm::dmat4 to_world(placed);
+    const double determinant = glm::determinant(glm::dmat3(to_world));
+    const glm::dmat4 to_object = glm::inverse(to_world);
+    if (determinant == 0.0 || !all_finite(to_object)) {
+        diagnostics.warn(scene.file, "", "a node is scaled to nothing; its mesh is not drawn");
+        return;
+    }
+    InstanceData instance{};
+    instance.object_to_world = mat4x3(placed);
+    instance.world_to_object = mat4x3(to_object);
+    instance.mesh = std::uint32_t(node.mesh);
+    instance.first_geometry = flat.mesh_first_geometry[instance.mesh];
+    instance.flags = determinant < 0.0 || node.skin_mirrors ? kInstanceFlipped : 0u;
+    grow_by_instance(flat.bounds, local_bounds, instance.object_to_world);
+    flat.instances.push_back(instance);
+}
+
 void add_instances(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4>& world,
                    Diagnostics& diagnostics) {
     const std::vector<Bounds> local_bounds = mesh_bounds(scene);
+    const std::vector<bool> visible = visible_nodes(scene);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
-        if (node.mesh == kUnset) continue;
+        if (node.mesh == kUnset || !visible[i]) continue;
+        const Bounds& bounds = local_bounds[std::size_t(node.mesh)];
         const glm::mat4 placed = node.skin == kUnset ? world[i] : glm::mat4(1);
-        glm::dmat4 to_world(placed);
-        double determinant = glm::determinant(glm::dmat3(to_world));
-        glm::dmat4 to_object = glm::inverse(to_world);
-        if (determinant == 0.0 || !all_finite(to_object)) {
-            diagnostics.warn(scene.file, "", "a node is scaled to nothing; its mesh is not drawn");
-            continue;
-        }
-        InstanceData instance{};
-        instance.object_to_world = mat4x3(placed);
-        instance.world_to_object = mat4x3(to_object);
-        instance.mesh = std::uint32_t(node.mesh);
-        instance.first_geometry = flat.mesh_first_geometry[instance.mesh];
-        instance.flags = determinant < 0.0 || node.skin_mirrors ? kInstanceFlipped : 0u;
-        grow_by_instance(flat.bounds, local_bounds[instance.mesh], instance.object_to_world);
-        flat.instances.push_back(instance);
+        if (node.instances.empty()) add_instance(flat, scene, node, placed, bounds, diagnostics);
+        for (const glm::mat4& instance : node.instances)
+            add_instance(flat, scene, node, placed * instance, bounds, diagnostics);
     }
 }
 
@@ -137,9 +146,10 @@ void add_lights(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4
     constexpr float pi = std::numbers::pi_v<float>;
     const float radius = std::clamp(flat.bounds.radius(), 1e-3f, 1e15f);
     const float disk = pi * radius * radius;
+    const std::vector<bool> visible = visible_nodes(scene);
     std::vector<float> powers;
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        if (scene.nodes[i].light == kUnset) continue;
+        if (scene.nodes[i].light == kUnset || !visible[i]) continue;
         const Light& light = scene.lights[std::size_t(scene.nodes[i].light)];
         LightData d{};
         d.kind = light.kind;

@@ -103,6 +103,10 @@ struct Node {
     int mesh = kUnset;
     int camera = kUnset;
     int light = kUnset;
+    // The mesh is drawn once for each of these, placed within the node's space; empty: once, as the
+    // node stands.
+    std::vector<glm::mat4> instances{};
+    bool visible = true;  // false hides meshes and lights of the node and of all below it
     // With a skin the mesh's vertices are in world space, and the node's transform does not move
     // them. Such a mesh belongs to this node alone, or to nodes that pose it alike.
     int skin = kUnset;
@@ -121,6 +125,9 @@ struct Scene {
     std::vector<Skin> skins;
     std::vector<Animation> animations;
 };
+
+// Whether each node and all its ancestors are visible.
+std::vector<bool> visible_nodes(const Scene& scene);
 
 // World transform of each node.
 std::vector<glm::mat4> world_transforms(const Scene& scene);
