@@ -26,8 +26,8 @@ constexpr std::array<std::array<std::string_view, 4>, 4> kReplacedTogether = {{
 }};
 
 // What says nothing about the picture.
-constexpr std::array<std::string_view, 6> kNotSettings = {"FILE",  "output",  "json",
-                                                          "quiet", "threads", "help"};
+constexpr std::array<std::string_view, 8> kNotSettings = {
+    "FILE", "output", "json", "quiet", "threads", "help", "memory-limit", "allow-external"};
 
 bool was_given(const RenderOptions& options, std::string_view flag) {
     const auto given = [&](std::string_view name) {

@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "film/film.h"
 #include "film/tonemap.h"
+#include "gltf/load.h"
 #include "shading/structs.h"
 #include "shading/tables/tables.h"
 
@@ -35,6 +36,7 @@ struct ViewOptions {
 struct RenderOptions {
     std::string input;  // as given: a path or demo:NAME
     std::filesystem::path scene_file;
+    LoadOptions load;
     std::vector<std::filesystem::path> outputs;
 
     std::uint32_t width = 1280, height = 720;

@@ -142,7 +142,7 @@ Result<ExitCode> render(const RenderOptions& options) {
     Progress progress(options.quiet);
     Diagnostics diagnostics;
     const Clock::time_point start = Clock::now();
-    HM_TRY_ASSIGN(Scene scene, load_gltf(options.scene_file, diagnostics));
+    HM_TRY_ASSIGN(Scene scene, load_gltf(options.scene_file, diagnostics, options.load));
     Shared shared{std::move(scene), seconds_since(start)};
     catch_interrupts();
     ExitCode code = ExitCode::ok;

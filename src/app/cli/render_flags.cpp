@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/frames.h"
+#include "app/cli/load_flags.h"
 #include "app/cli/values.h"
 #include "film/write.h"
 
@@ -230,6 +231,7 @@ void add_group(CLI::App& app, const std::string& heading, Add add_all, Options& 
 
 void add_render_flags(CLI::App& app, RenderOptions& options) {
     add_group(app, "Files", add_files, options);
+    add_group(app, "Scene", add_load_flags, options.load);
     add_group(app, "Sampling", add_sampling, options);
     add_group(app, "View", add_view, options.view);
     add_group(app, "Animation", add_animation, options);

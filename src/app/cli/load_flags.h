@@ -1,0 +1,19 @@
+// The flags that choose what is read of a scene file, and how much of it: the same for every
+// command that reads one.
+#pragma once
+
+#include "app/cli/values.h"
+#include "gltf/load.h"
+
+namespace CLI {
+class App;
+}
+
+namespace hm::cli {
+
+// Bytes: a whole number, with K, M, G or T for powers of 1024. Not 0.
+Parsed<std::uint64_t> parse_bytes(std::string_view text);
+
+void add_load_flags(CLI::App& app, LoadOptions& options);
+
+}  // namespace hm::cli
