@@ -40,8 +40,12 @@ std::string element_place(std::string_view array_place, std::size_t i) {
 // The tokens of a JSON pointer (RFC 6901, 3).
 std::string escaped(std::string_view key) {
     std::string out;
-    for (const char c : key)
-        out += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+    for (const char c : key) {
+        if (c == '~' || c == '/')
+            out += c == '~' ? "~0" : "~1";
+        else
+            out += c;
+    }
     return out;
 }
 
@@ -52,7 +56,7 @@ bool find_repeated_key(dom::element value, std::string& place) {
         std::size_t i = 0;
         for (const dom::element item : dom::array(value)) {
             if (find_repeated_key(item, place)) {
-                place = element_place("", i) + place;
+                place = fmt::format("/{}{}", i, place);
                 return true;
             }
             ++i;
@@ -64,13 +68,13 @@ bool find_repeated_key(dom::element value, std::string& place) {
     for (const auto& [key, item] : dom::object(value)) {
         keys.push_back(key);
         if (!find_repeated_key(item, place)) continue;
-        place = "/" + escaped(key) + place;
+        place = fmt::format("/{}{}", escaped(key), place);
         return true;
     }
     std::sort(keys.begin(), keys.end());
     const auto twice = std::adjacent_find(keys.begin(), keys.end());
     if (twice == keys.end()) return false;
-    place = "/" + escaped(*twice);
+    place = fmt::format("/{}", escaped(*twice));
     return true;
 }
 
