@@ -1,4 +1,6 @@
 // The report for programs; docs/info-schema.md and docs/info.schema.json describe it.
+#include <algorithm>
+
 #include "app/cli/info_report.h"
 #include "app/cli/json_writer.h"
 
@@ -106,6 +108,8 @@ void write_nodes(JsonWriter& json, const Scene& scene) {
         write_index(json, "skin", node.skin);
         write_index(json, "camera", node.camera);
         write_index(json, "light", node.light);
+        json.field("instances", std::max<std::size_t>(1, node.instances.size()));
+        json.field("visible", node.visible);
     });
 }
 

@@ -96,12 +96,13 @@ void describe_totals(Lines& out, const InfoReport& report) {
         out.line(fmt::format("  from {} to {} metres", vector_text(bounds.low),
                              vector_text(bounds.high)));
     }
-    out.line(fmt::format("  {} in {}, {} of {}", plural(t.drawn_triangles, "triangle"),
-                         plural(t.instances, "instance"), t.triangles,
+    out.line(fmt::format("  {} in {} of {}", plural(t.drawn_triangles, "triangle"),
+                         plural(t.instances, "instance"),
                          plural_of(report.scene->meshes.size(), "mesh", "meshes")));
-    out.line(fmt::format("  {}, {} of geometry; {} emit light",
-                         plural_of(t.vertices, "vertex", "vertices"), size_text(t.geometry_bytes),
-                         plural(t.emissive_triangles, "triangle")));
+    out.line(fmt::format("  each mesh once: {}, {}, {}", plural(t.triangles, "triangle"),
+                         plural_of(t.vertices, "vertex", "vertices"), size_text(t.geometry_bytes)));
+    if (t.emissive_triangles > 0)
+        out.line(fmt::format("  {} give light", plural(t.emissive_triangles, "triangle")));
     out.line(fmt::format("  {} of {}, {} decoded", report.scene->images.size(),
                          plural(in_file.images, "image"), size_text(t.image_bytes)));
 }
@@ -118,6 +119,8 @@ std::string node_text(const Scene& scene, const Node& node) {
     add("skin", node.skin, at(scene.skins, node.skin));
     add("camera", node.camera, at(scene.cameras, node.camera));
     add("light", node.light, at(scene.lights, node.light));
+    if (!node.instances.empty()) text += fmt::format(" x {}", node.instances.size());
+    if (!node.visible) text += " (hidden, with all below it)";
     return text;
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/cli/demo.h"
+#include "app/cli/load_flags.h"
 #include "app/cli/render_flags.h"
 
 namespace hm::cli {
@@ -40,6 +41,23 @@ bool was_given(const RenderOptions& options, std::string_view flag) {
     return given(flag);
 }
 
+void add_info_flags(CLI::App& app, InfoOptions& options) {
+    app.add_option("FILE", options.input,
+                   "A .glb or .gltf file, or demo:NAME for a scene that comes along")
+        ->required();
+    app.add_flag("--json", options.json, "Print JSON instead of text");
+    add_load_flags(app, options.load);
+    app.footer(
+        "The exit code is 0 where nothing is amiss, 10 where something was warned of, and that of "
+        "a failed rendering where the file is refused.");
+}
+
+Result<std::filesystem::path> scene_file_of(const std::string& input) {
+    if (!input.starts_with(kDemoPrefix)) return std::filesystem::path(input);
+    HM_TRY_ASSIGN(const Demo demo, find_demo(std::string_view(input).substr(kDemoPrefix.size())));
+    return demo.scene;
+}
+
 // Throws what CLI11 throws.
 CommandLine parse(const Arguments& arguments) {
     CommandLine line;
@@ -49,6 +67,9 @@ CommandLine parse(const Arguments& arguments) {
     RenderOptions options;
     CLI::App& render = *app.add_subcommand("render", "Draw a scene into one or more pictures");
     add_render_flags(render, options);
+    InfoOptions info_options;
+    CLI::App& info = *app.add_subcommand("info", "Tell what is in a scene file");
+    add_info_flags(info, info_options);
     try {
         app.parse(Arguments(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
@@ -56,6 +77,10 @@ CommandLine parse(const Arguments& arguments) {
         return line;
     } catch (const CLI::CallForVersion& version) {
         line.text = std::string(version.what()) + "\n";
+        return line;
+    }
+    if (info.parsed()) {
+        line.info = std::move(info_options);
         return line;
     }
     for (const CLI::Option* option : render.get_options()) {
@@ -95,6 +120,9 @@ Result<CommandLine> parse_command_line(int count, const char* const* arguments) 
     const Arguments list(given.begin() + (given.empty() ? 0 : 1), given.end());
     try {
         CommandLine line = parse(list);
+        if (line.info) {
+            HM_TRY_ASSIGN(line.info->scene_file, scene_file_of(line.info->input));
+        }
         if (!line.render) return line;
         if (line.render->input.starts_with(kDemoPrefix)) {
             HM_TRY_ASSIGN(line, parse_with_demo(list, *line.render));

@@ -78,8 +78,16 @@ struct RenderOptions {
     std::vector<std::pair<std::string, std::string>> given;
 };
 
+struct InfoOptions {
+    std::string input;  // as given: a path or demo:NAME
+    std::filesystem::path scene_file;
+    LoadOptions load;
+    bool json = false;
+};
+
 struct CommandLine {
     std::optional<RenderOptions> render;
+    std::optional<InfoOptions> info;
     std::string text;  // help or version, to be printed instead
 };
 
