@@ -104,6 +104,19 @@ TEST(Lights, TwoLightsAddUp) {
                           {.samples = 256}, kAlbedo * (3 / kPiFloat));
 }
 
+TEST(Lights, KindsOfLightAddUp) {
+    // A sun and a sky together: each is picked for a part of the samples.
+    SceneBuilder b = floor_scene();
+    Light sun;
+    sun.kind = kLightDirectional;
+    b.light(sun, aimed(vec3(0), vec3(0, -1, 0)));
+    Studio studio(b.scene, test::constant_environment(vec3(0.5f)));
+    for (uint strategy : {kStrategyMis, kStrategyLight, kStrategyBsdf})
+        test::expect_radiance(studio, test::point_camera(vec3(0), vec3(0.3f, 0.8f, 0.4f)),
+                              {.samples = 256, .strategy = strategy},
+                              kAlbedo * (1 / kPiFloat + 0.5f));
+}
+
 TEST(Lights, ThingsBetweenCastShadows) {
     SceneBuilder b = floor_scene();
     int black = b.material(test::lambertian(vec3(0)));
