@@ -93,7 +93,7 @@ void add_mesh_rules(std::vector<Case>& cases) {
     primitive.index("material");
     primitive.integer("mode");
     primitive.value("mode", "unknown", "7", "is at most 6", "7 is no mode");
-    primitive.common(false).expect(ignored(kUnread));
+    primitive.extensions();
     primitive.rule("texcoord-missing", "material: its textures find their coordinates",
                    {drop(kPlace + std::string("TEXCOORD_0"))},
                    warned("/meshes/0/primitives/0", "coordinates that are missing", kRepaired));
