@@ -9,8 +9,10 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     hm::Diagnostics diagnostics;
     const std::span<const std::uint8_t> bytes(data, size);
+    hm::LoadOptions options;
+    options.memory_limit = 1u << 28;
     const auto scene =
-        hm::load_gltf_bytes(std::as_bytes(bytes), "/nonexistent/fuzzed.glb", diagnostics);
+        hm::load_gltf_bytes(std::as_bytes(bytes), "/nonexistent/fuzzed.glb", diagnostics, options);
     if (!scene && scene.error().line().empty()) __builtin_trap();
     for (const hm::Warning& warning : diagnostics.warnings())
         if (warning.line().empty()) __builtin_trap();

@@ -23,7 +23,7 @@ outcome=0
 for target in "${targets[@]}"; do
     findings=build/fuzz/findings/$target found=build/fuzz/found/$target
     mkdir -p "$findings" "$found"
-    options=(-max_total_time="$seconds" -max_len=16384 -timeout=10 -rss_limit_mb=4096
+    options=(-max_total_time="$seconds" -max_len=16384 -timeout=25 -rss_limit_mb=4096
         -artifact_prefix="$findings/" -print_final_stats=1 -verbosity=0)
     [ ! -f "fuzz/$target.dict" ] || options+=(-dict="fuzz/$target.dict")
     echo "fuzz: $target, $seconds s"
