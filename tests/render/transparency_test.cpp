@@ -69,6 +69,22 @@ TEST(Transparency, LayersMultiplyForShadowRays) {
         }
 }
 
+TEST(Transparency, EveryRayDrawsItsOwnChance) {
+    // Light comes down through a layer and goes up through it again: two draws, not one.
+    const float alpha = 0.5f;
+    SceneBuilder b = layers(1, alpha, false);
+    Light sun;
+    sun.kind = kLightDirectional;
+    sun.intensity = std::numbers::pi_v<float>;
+    b.light(sun, glm::rotate(kOne, -std::numbers::pi_v<float> / 2, vec3(1, 0, 0)));
+    Studio studio(b.scene);
+    // Off the layer's diagonal, where a ray may meet both of its triangles.
+    const vec3 point(0.3f, 0, 0.2f), from(0.2f, 1, 0.1f);
+    CameraData camera = test::point_camera(point, from);
+    camera.origin = point + from * 5.0f;
+    test::expect_radiance(studio, camera, {.samples = 512}, vec3((1 - alpha) * (1 - alpha)));
+}
+
 TEST(Transparency, CoverageIsAlphaOfATransparentPicture) {
     SceneBuilder b = layers(1, 0.25f, false);
     b.scene.nodes.erase(b.scene.nodes.begin());
