@@ -5,10 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <span>
 #include <string_view>
 
 #include "app/cli/demo.h"
+#include "app/cli/help.h"
 #include "app/cli/load_flags.h"
 #include "app/cli/render_flags.h"
 
@@ -64,6 +66,7 @@ CommandLine parse(const Arguments& arguments) {
     CLI::App app("Physically based renderer for glTF", "himalaya");
     app.set_version_flag("--version", "himalaya " HIMALAYA_VERSION);
     app.require_subcommand(1);
+    app.formatter(std::make_shared<HelpFormatter>());  // for subcommands too
     RenderOptions options;
     CLI::App& render = *app.add_subcommand("render", "Draw a scene into one or more pictures");
     add_render_flags(render, options);

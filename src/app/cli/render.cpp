@@ -20,20 +20,15 @@
 namespace hm::cli {
 namespace {
 
-PictureOptions picture_options(const RenderOptions& options, const Film& film,
-                               const Image& picture) {
-    PictureOptions p;
-    p.crop = film.crop;
-    p.alpha = options.background == kBackgroundTransparent;
-    p.tone = {options.exposure ? *options.exposure : auto_exposure(picture), options.tone_curve};
-    return p;
-}
-
 // All of them are tried, so that one full disk does not cost every picture; the first error is
 // returned.
-Result<void> write_all(const RenderOptions& options, const Film& film, const Metadata& metadata) {
+Result<void> write_all(const RenderOptions& options, const Film& film, RenderSummary& summary) {
     const Image picture = film.resolve();
-    const PictureOptions how = picture_options(options, film, picture);
+    summary.exposure = options.exposure ? *options.exposure : auto_exposure(picture);
+    const PictureOptions how{.crop = film.crop,
+                             .alpha = options.background == kBackgroundTransparent,
+                             .tone = {summary.exposure, options.tone_curve}};
+    const Metadata metadata = picture_metadata(options, summary);
     Result<void> outcome;
     for (const std::filesystem::path& path : options.outputs) {
         Result<void> written = write_picture(path, picture, how, metadata);
@@ -101,6 +96,7 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
     HM_TRY_ASSIGN(const CameraChoice camera,
                   choose_camera(options.view, shared.scene, flat.bounds, aspect));
     summary.camera = camera.name;
+    summary.view = view_flags(camera.data);
     summary.scene = scene_stats(shared.scene, flat);
     summary.times.flatten = seconds_since(start);
     if (is_first) note_defaults(progress, summary);
@@ -123,7 +119,7 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
     fill_results(summary, film, counters);
 
     start = Clock::now();
-    HM_TRY(write_all(options, film, picture_metadata(options, summary)));
+    HM_TRY(write_all(options, film, summary));
     summary.times.write = seconds_since(start);
 
     record_warnings(summary, options.input, diagnostics);

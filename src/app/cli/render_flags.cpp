@@ -1,6 +1,7 @@
 #include "app/cli/render_flags.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
@@ -247,6 +248,15 @@ Result<void> check_render_options(const RenderOptions& o) {
     if (o.crop && (o.crop->x1 > o.width || o.crop->y1 > o.height))
         return usage(
             fmt::format("--crop: reaches beyond the picture's {} x {} pixels", o.width, o.height));
+    // Sums, the resolved picture and what the formats make of it.
+    constexpr double kBytesPerPixel = 80, kGiB = 1024.0 * 1024.0 * 1024.0;
+    const PixelRect crop = o.crop.value_or(PixelRect{0, 0, o.width, o.height});
+    const double need = double(crop.width()) * double(crop.height()) * kBytesPerPixel / kGiB;
+    const double memory =
+        double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE)) / kGiB;
+    if (need > memory)
+        return usage(fmt::format("--size: needs {:.1f} GiB and the machine has {:.1f}; use --crop",
+                                 need, memory));
     if (o.filter_width && *o.filter_width <= 0) return usage("--filter-width: must be above 0");
     if (o.view.up && *o.view.up == vec3(0)) return usage("--up: must have a length");
     if (o.view.target && *o.view.target == *o.view.eye)

@@ -39,6 +39,21 @@ std::string settings_line(const RenderOptions& options) {
     return line;
 }
 
+// As they were used: those given as flags, then what holds in any case.
+void write_settings(JsonWriter& json, const RenderOptions& o, const RenderSummary& summary) {
+    json.key("flags").begin_object();
+    for (const auto& [flag, value] : o.given)
+        json.field(flag, value);
+    json.end_object().key("settings").begin_object();
+    const PixelRect crop = o.crop.value_or(PixelRect{0, 0, o.width, o.height});
+    json.field("width", o.width).field("height", o.height).key("crop").begin_array();
+    json.value(crop.x0).value(crop.y0).value(crop.x1).value(crop.y1).end_array();
+    json.field("seed", o.seed).field("sampler", sampler_name(o.sampler));
+    json.field("bounces", o.bounces).field("clamp", double(o.clamp));
+    json.field("exposure", double(summary.exposure)).field("threads", o.threads);
+    json.field("device", "cpu").field("instruction_set", summary.instruction_set).end_object();
+}
+
 void write_scene(JsonWriter& json, const SceneStats& s) {
     json.key("scene").begin_object();
     json.field("meshes", s.meshes).field("instances", s.instances);
@@ -87,6 +102,8 @@ Metadata picture_metadata(const RenderOptions& options, const RenderSummary& sum
             {"bias", bias(options, summary)},
             {"colorSpace", "linear Rec.709"},
             {"camera", summary.camera},
+            {"view", summary.view},
+            {"exposure", fmt::format("{:g} EV, PNG only", summary.exposure)},
             {"environment", summary.environment}};
 }
 
@@ -96,14 +113,9 @@ std::string json_report(const RenderOptions& options, const RenderSummary& summa
     json.begin_object();
     json.field("program", "himalaya " HIMALAYA_VERSION);
     json.field("input", options.input).field("scene_file", options.scene_file.string());
-    json.key("settings").begin_object();
-    for (const auto& [flag, value] : options.given)
-        json.field(flag, value);
-    json.end_object();
-    json.field("width", options.width).field("height", options.height);
-    json.field("camera", summary.camera).field("environment", summary.environment);
-    json.field("device", "cpu").field("instruction_set", summary.instruction_set);
-    json.field("sampler", sampler_name(options.sampler)).field("bias", bias(options, summary));
+    write_settings(json, options, summary);
+    json.field("camera", summary.camera).field("view", summary.view);
+    json.field("environment", summary.environment).field("bias", bias(options, summary));
     write_scene(json, summary.scene);
     write_bvh(json, summary.bvh);
     write_times(json, summary.times);

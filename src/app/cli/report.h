@@ -30,6 +30,8 @@ struct SceneStats {
 
 struct RenderSummary {
     std::string camera, environment, instruction_set;
+    std::string view;    // the flags that look the same way; empty if none do
+    float exposure = 0;  // EV, of PNG files
     SceneStats scene;
     BvhStats bvh;
     StageTimes times;

@@ -120,6 +120,18 @@ Result<CameraChoice> choose_camera(const ViewOptions& view, const Scene& scene,
     return choice;
 }
 
+std::string view_flags(const CameraData& c) {
+    if (c.kind != kCameraPerspective) return "";
+    const auto triple = [](vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+    const vec3 target = c.origin + c.forward * c.focus_distance;
+    const float fov = 2.0f * std::atan(c.half_height) * 180.0f / std::numbers::pi_v<float>;
+    std::string flags = fmt::format("--eye {} --target {} --up {} --fov {}", triple(c.origin),
+                                    triple(target), triple(c.up), fov);
+    if (c.lens_radius > 0)
+        flags += fmt::format(" --aperture {} --focus {}", c.lens_radius, c.focus_distance);
+    return flags;
+}
+
 RenderParams make_params(const RenderOptions& options, const FlatScene& scene) {
     RenderParams p{};
     p.width = options.width;

@@ -23,6 +23,9 @@ struct CameraChoice {
     std::string name;  // "camera 0 (name)", "look-at" or "framing"
 };
 
+// The flags that give this view again; empty for an orthographic camera, which has none.
+std::string view_flags(const CameraData& camera);
+
 // Fails with ExitCode::usage where the flags do not fit the scene.
 Result<CameraChoice> choose_camera(const ViewOptions& view, const Scene& scene,
                                    const Bounds& bounds, float aspect);
