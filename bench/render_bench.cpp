@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/check.h"
 #include "base/files.h"
 #include "cpu/render.h"
 #include "gltf/load.h"
@@ -66,7 +67,7 @@ struct Settings {
     std::uint32_t width, height, samples, seed, sampler;
 };
 
-Film render(const BenchScene& bench, CpuRenderer& renderer, const Settings& settings,
+Film render(const BenchScene& bench, Renderer& renderer, const Settings& settings,
             RenderCounters& counters) {
     RenderParams params{};
     params.width = settings.width;
@@ -79,9 +80,11 @@ Film render(const BenchScene& bench, CpuRenderer& renderer, const Settings& sett
     set_light_ranges(bench.flat, params);
     Film film({0, 0, settings.width, settings.height});
     std::atomic<bool> cancel{false};
-    renderer.render(camera_of(bench, float(settings.width) / float(settings.height)), params,
-                    make_filter_table(PixelFilter::box), film.crop, 0, settings.samples, film.sums,
-                    counters, cancel);
+    const float aspect = float(settings.width) / float(settings.height);
+    const RenderJob job{camera_of(bench, aspect), params, make_filter_table(PixelFilter::box)};
+    const Result<void> drawn = renderer.begin(job, film).and_then(
+        [&] { return renderer.render(0, settings.samples, counters, cancel); });
+    HM_CHECK(drawn.has_value(), "{}", drawn.error().line());
     return film;
 }
 

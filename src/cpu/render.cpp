@@ -1,10 +1,12 @@
 #include "cpu/render.h"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "base/check.h"
@@ -60,6 +62,9 @@ struct CpuRenderer::Impl {
     Bvh bvh;
     InstructionSet isa = choose_instruction_set();
     std::vector<KernelGeometry> geometries;
+    RenderJob job;
+    KernelTables tables{};
+    Film* film = nullptr;
 
     Impl(const FlatScene& s, unsigned threads)
         : scene(s), arena(threads == 0 ? tbb::task_arena::automatic : int(threads)) {
@@ -68,12 +73,10 @@ struct CpuRenderer::Impl {
             geometries.push_back({view.vertices, view.extras, view.triangles});
     }
 
-    KernelTables tables(const CameraData& camera, const RenderParams& params,
-                        const float* filter_table) const;
+    KernelTables make_tables() const;
 };
 
-KernelTables CpuRenderer::Impl::tables(const CameraData& camera, const RenderParams& params,
-                                       const float* filter_table) const {
+KernelTables CpuRenderer::Impl::make_tables() const {
     const ShadingTables& constant = shading_tables();
     KernelTables t{};
     t.materials = scene.materials.data();
@@ -93,12 +96,12 @@ KernelTables CpuRenderer::Impl::tables(const CameraData& camera, const RenderPar
     t.blue_noise = constant.blue_noise.data();
     t.albedo_table = constant.albedo_table.data();
     t.albedo_average = constant.albedo_average.data();
-    t.filter_table = filter_table;
+    t.filter_table = job.filter_table.data();
     t.srgb = srgb_table();
     t.bvh = bvh.view();
     t.environment = scene.environment.data;
-    t.camera = camera;
-    t.params = params;
+    t.camera = job.camera;
+    t.params = job.params;
     return t;
 }
 
@@ -113,14 +116,24 @@ std::string CpuRenderer::instruction_set() const {
     return impl_->isa.name;
 }
 
-void CpuRenderer::render(const CameraData& camera, const RenderParams& params,
-                         std::span<const float> filter_table, PixelRect crop, std::uint32_t begin,
-                         std::uint32_t end, std::span<PixelSum> sums, RenderCounters& counters,
-                         const std::atomic<bool>& cancel) {
-    HM_CHECK(sums.size() == std::size_t(crop.width()) * crop.height(), "{} sums for {} x {}",
-             sums.size(), crop.width(), crop.height());
-    HM_CHECK(filter_table.size() == 257, "{} entries", filter_table.size());
-    const KernelTables tables = impl_->tables(camera, params, filter_table.data());
+std::string CpuRenderer::device() const {
+    return fmt::format("CPU ({})", instruction_set());
+}
+
+Result<void> CpuRenderer::begin(const RenderJob& job, Film& film) {
+    HM_CHECK(film.sums.size() == std::size_t(film.crop.width()) * film.crop.height(),
+             "{} sums for {} x {}", film.sums.size(), film.crop.width(), film.crop.height());
+    impl_->job = job;
+    impl_->tables = impl_->make_tables();
+    impl_->film = &film;
+    return {};
+}
+
+Result<void> CpuRenderer::render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
+                                 const std::atomic<bool>& cancel) {
+    HM_CHECK(impl_->film != nullptr, "samples {} to {} before begin", begin, end);
+    const PixelRect crop = impl_->film->crop;
+    const std::span<PixelSum> sums = impl_->film->sums;
     const std::uint32_t columns = (crop.width() + kTileSize - 1) / kTileSize;
     const std::uint32_t rows = (crop.height() + kTileSize - 1) / kTileSize;
     auto render_tile = [&](std::uint32_t i) {
@@ -135,13 +148,14 @@ void CpuRenderer::render(const CameraData& camera, const RenderParams& params,
         std::size_t first = std::size_t(tile.y0 - crop.y0) * crop.width() + (tile.x0 - crop.x0);
         tile.pixels = reinterpret_cast<KernelPixel*>(sums.data() + first);
         tile.stride = crop.width();
-        impl_->isa.render_tile(&tables, &tile);
+        impl_->isa.render_tile(&impl_->tables, &tile);
         counters.samples += std::uint64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0) * (end - begin);
         counters.rays += tile.rays;
         counters.non_finite += tile.non_finite;
     };
     impl_->arena.execute(
         [&] { tbb::parallel_for(0u, columns * rows, render_tile, tbb::simple_partitioner{}); });
+    return {};
 }
 
 }  // namespace hm

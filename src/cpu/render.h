@@ -1,38 +1,27 @@
 // The CPU renderer: the shared path-tracing stages under its own BVH, tiles over oneTBB.
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "bvh/bvh.h"
-#include "film/film.h"
+#include "film/renderer.h"
 #include "scene/flatten.h"
 
 namespace hm {
 
-// Live while rendering, for progress reports.
-struct RenderCounters {
-    std::atomic<std::uint64_t> samples{0};
-    std::atomic<std::uint64_t> rays{0};
-    std::atomic<std::uint64_t> non_finite{0};  // samples that were not numbers: counted as black
-};
-
-class CpuRenderer {
+class CpuRenderer final : public Renderer {
   public:
     // Builds the BVH. `scene` must outlive the renderer. threads 0: all cores.
     CpuRenderer(const FlatScene& scene, unsigned threads);
-    ~CpuRenderer();
+    ~CpuRenderer() override;
 
-    // Adds samples [begin, end) of each pixel in `crop` to `sums` (rows of crop.width()). Returns
-    // early, whole tiles at a time, once `cancel` is set. The same bits whatever the threads.
-    // filter_table: make_filter_table (shading/tables).
-    void render(const CameraData& camera, const RenderParams& params,
-                std::span<const float> filter_table, PixelRect crop, std::uint32_t begin,
-                std::uint32_t end, std::span<PixelSum> sums, RenderCounters& counters,
-                const std::atomic<bool>& cancel);
+    std::string device() const override;  // "CPU (avx512)"
+    Result<void> begin(const RenderJob& job, Film& film) override;
+    // Returns early whole tiles at a time. The same bits whatever the threads.
+    Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
+                        const std::atomic<bool>& cancel) override;
+    Result<void> sync() override { return {}; }
 
     const BvhStats& bvh_stats() const;
     std::string instruction_set() const;  // "baseline", "avx2" or "avx512": what the stages run as

@@ -70,18 +70,18 @@ Estimate render(const ReferenceCase& c, std::uint32_t samples) {
     CpuRenderer renderer(flat, 1);
     RenderParams params = make_params(c, flat);
     const auto filter = make_filter_table(PixelFilter::box);
-    const PixelRect all{0, 0, kReferenceWidth, kReferenceHeight};
     const std::size_t count = std::size_t(3) * kReferenceWidth * kReferenceHeight;
     std::vector<double> sum(count), squares(count);
     const std::atomic<bool> cancel{false};
     for (int r = 0; r < kReplicates; ++r) {
         params.seed = std::uint32_t(r) + 1;
-        std::vector<PixelSum> sums(count / 3);
+        Film film({0, 0, kReferenceWidth, kReferenceHeight});
         RenderCounters counters;
-        renderer.render(c.camera, params, filter, all, 0, samples, sums, counters, cancel);
+        EXPECT_TRUE(renderer.begin({c.camera, params, filter}, film));
+        EXPECT_TRUE(renderer.render(0, samples, counters, cancel));
         EXPECT_EQ(counters.non_finite.load(), 0u);
         for (std::size_t i = 0; i < count; ++i) {
-            const PixelSum& pixel = sums[i / 3];
+            const PixelSum& pixel = film.sums[i / 3];
             const double value = double(pixel.radiance[int(i % 3)]) / double(pixel.weight);
             sum[i] += value;
             squares[i] += value * value;

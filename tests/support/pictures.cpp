@@ -46,12 +46,13 @@ std::vector<PixelSum> Studio::render_sums(const CameraData& camera, const Shot& 
     params.filter_width = 1;
     set_light_ranges(flat_, params);
     static const std::array<float, 257> box = make_filter_table(PixelFilter::box);
-    std::vector<PixelSum> sums(std::size_t(crop.width()) * crop.height(), PixelSum{});
+    Film film(crop);
     RenderCounters counters;
-    renderer_.render(camera, params, box, crop, shot.first_sample, shot.first_sample + shot.samples,
-                     sums, counters, false);
+    EXPECT_TRUE(renderer_.begin({camera, params, box}, film));
+    EXPECT_TRUE(renderer_.render(shot.first_sample, shot.first_sample + shot.samples, counters,
+                                 std::atomic<bool>(false)));
     EXPECT_EQ(counters.non_finite.load(), 0u);
-    return sums;
+    return film.sums;
 }
 
 Picture Studio::render(const CameraData& camera, const Shot& shot) {

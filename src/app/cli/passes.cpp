@@ -90,24 +90,24 @@ std::uint32_t next_pass(const PassPlan& plan, std::uint32_t last, double last_se
 
 }  // namespace
 
-PassResult render_passes(CpuRenderer& renderer, const CameraData& camera,
-                         const RenderParams& params, std::span<const float> filter_table,
-                         Film& film, RenderCounters& counters, const PassPlan& plan,
-                         const std::function<bool()>& stop,
-                         const std::function<void(const ProgressState&)>& watch) {
+Result<PassResult> render_passes(Renderer& renderer, const RenderJob& job, Film& film,
+                                 RenderCounters& counters, const PassPlan& plan,
+                                 const std::function<bool()>& stop,
+                                 const std::function<void(const ProgressState&)>& watch) {
+    HM_TRY(renderer.begin(job, film));
     PassResult result;
     Watcher watcher(plan, counters, double(film.sums.size()), stop, watch);
     std::uint32_t done = 0, count = 1;
     while (done < plan.samples && !watcher.cancel()) {
         const double begin = watcher.seconds();
-        renderer.render(camera, params, filter_table, film.crop, done, done + count, film.sums,
-                        counters, watcher.cancel());
+        HM_TRY(renderer.render(done, done + count, counters, watcher.cancel()));
         watcher.first_pass_done();
         done += count;
         const double seconds = watcher.seconds();
         if (plan.time && seconds >= *plan.time) break;
         count = next_pass(plan, count, seconds - begin, plan.samples - done);
     }
+    HM_TRY(renderer.sync());
     result.seconds = watcher.seconds();
     result.interrupted = watcher.interrupted() && watcher.cancel();
     return result;

@@ -4,10 +4,9 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 
 #include "app/cli/progress.h"
-#include "cpu/render.h"
+#include "film/renderer.h"
 
 namespace hm::cli {
 
@@ -26,10 +25,9 @@ struct PassResult {
 // Renders into `film` until the samples are there, the time is over or `stop` returns true. The
 // first pass, one sample, is cut short by `stop` alone. Passes cut short leave pixels with
 // different numbers of samples. `watch` is called a few times a second, by one thread at a time.
-PassResult render_passes(CpuRenderer& renderer, const CameraData& camera,
-                         const RenderParams& params, std::span<const float> filter_table,
-                         Film& film, RenderCounters& counters, const PassPlan& plan,
-                         const std::function<bool()>& stop,
-                         const std::function<void(const ProgressState&)>& watch);
+Result<PassResult> render_passes(Renderer& renderer, const RenderJob& job, Film& film,
+                                 RenderCounters& counters, const PassPlan& plan,
+                                 const std::function<bool()>& stop,
+                                 const std::function<void(const ProgressState&)>& watch);
 
 }  // namespace hm::cli

@@ -109,10 +109,12 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
 
     Film film(options.crop.value_or(PixelRect{0, 0, options.width, options.height}));
     RenderCounters counters;
-    const PassResult passes = render_passes(
-        renderer, camera.data, make_params(options, flat), make_filter_table(options.filter), film,
-        counters, PassPlan{.samples = options.samples, .time = options.time}, interrupted,
-        [&](const ProgressState& state) { progress.update(state); });
+    const RenderJob job{camera.data, make_params(options, flat), make_filter_table(options.filter)};
+    HM_TRY_ASSIGN(
+        const PassResult passes,
+        render_passes(renderer, job, film, counters,
+                      PassPlan{.samples = options.samples, .time = options.time}, interrupted,
+                      [&](const ProgressState& state) { progress.update(state); }));
     progress.finish();
     summary.times.render = passes.seconds;
     summary.interrupted = passes.interrupted;

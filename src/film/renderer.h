@@ -1,0 +1,51 @@
+// What draws samples into a film. The CPU and the GPU both do, and the program knows nothing else
+// of them.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+#include "base/result.h"
+#include "film/film.h"
+#include "shading/structs.h"
+
+namespace hm {
+
+// Live while rendering, for progress reports.
+struct RenderCounters {
+    std::atomic<std::uint64_t> samples{0};
+    std::atomic<std::uint64_t> rays{0};
+    std::atomic<std::uint64_t> non_finite{0};  // samples that were not numbers: counted as black
+};
+
+// One picture: all that decides its pixels beside the scene and the film's crop.
+struct RenderJob {
+    CameraData camera{};
+    RenderParams params{};
+    std::array<float, 257> filter_table{};  // make_filter_table (shading/tables)
+};
+
+class Renderer {
+  public:
+    virtual ~Renderer() = default;
+
+    // What renders, for people: "CPU (avx512)".
+    virtual std::string device() const = 0;
+
+    // From now on samples go to `film`, on top of what it holds. The film is borrowed until the
+    // next begin or the renderer's end.
+    virtual Result<void> begin(const RenderJob& job, Film& film) = 0;
+
+    // Adds samples [begin, end) to each pixel of the film, in the order of their indices: the same
+    // bits however a range is split. Returns early once `cancel` is set, leaving some pixels with
+    // fewer samples. Fails where the device does.
+    virtual Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
+                                const std::atomic<bool>& cancel) = 0;
+
+    // Brings the film's sums up to date: a device with memory of its own keeps them until then.
+    virtual Result<void> sync() = 0;
+};
+
+}  // namespace hm
