@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Puts Mesa's lavapipe 25, a Vulkan device that runs on the CPU, into build/lavapipe for the tests
 # labelled `gpu`. Debian 12's own lavapipe (22.3) has no ray tracing; bookworm-backports has 25.0.
-# Nothing enters the system: apt works on lists and a cache of its own inside the build folder,
-# checks Debian's signatures as ever, downloads, and dpkg only unpacks.
+# Nothing enters the system; private-apt.sh says how.
 #
 # Leaves build/lavapipe/icd.json (the driver's manifest), lib/ (the driver and those of its libraries
 # that the system lacks or has too old) and env.sh, to be sourced for running a program by hand.
@@ -10,7 +9,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 target=$root/build/lavapipe
-keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+source "$root/scripts/private-apt.sh"
 
 driver_loads() {
     [ -f "$target/icd.json" ] &&
@@ -28,36 +27,16 @@ if [ "$release" != debian-bookworm ]; then
     exit 1
 fi
 
-# The mirror that this machine already uses.
-mirror=$(apt-get update --print-uris | sed -n "s,^'\(.*\)/dists/bookworm/InRelease'.*,\1,p" | head -n 1)
-if [ -z "$mirror" ]; then
-    echo "fetch-lavapipe: apt knows no mirror of Debian bookworm" >&2
-    exit 1
-fi
-
 work=$root/build/lavapipe.new
 rm -rf "$work"
-mkdir -p "$work"/apt/lists/partial "$work"/apt/cache/archives/partial "$work"/apt/parts \
-    "$work"/root "$work"/lib
-for suite in bookworm bookworm-backports; do
-    echo "deb [signed-by=$keyring] $mirror $suite main"
-done >"$work/apt/sources.list"
-
-private_apt() {
-    apt-get -qq \
-        -o Dir::Etc::sourcelist="$work/apt/sources.list" -o Dir::Etc::sourceparts="$work/apt/parts" \
-        -o Dir::Etc::preferencesparts="$work/apt/parts" -o Dir::Etc::preferences="$work/apt/none" \
-        -o Dir::State::lists="$work/apt/lists" -o Dir::Cache="$work/apt/cache" \
-        -o APT::Sandbox::User="$(id -un)" -o Debug::NoLocking=1 "$@"
-}
+mkdir -p "$work"/root "$work"/lib
+private_apt_setup fetch-lavapipe "$work/apt" bookworm bookworm-backports
 echo "fetch-lavapipe: downloading mesa-vulkan-drivers from bookworm-backports"
 private_apt update
 # apt itself tells which libraries this system lacks or has too old.
 private_apt --yes --no-install-recommends --download-only -t bookworm-backports \
     install mesa-vulkan-drivers
-for package in "$work"/apt/cache/archives/*.deb; do
-    dpkg-deb -x "$package" "$work/root"
-done
+private_apt_unpack "$work/root"
 
 # Keep the driver and the unpacked libraries among its dependencies; the rest is other drivers.
 folders=$(find "$work/root" -name '*.so*' -printf '%h\n' | sort -u | paste -sd:)

@@ -8,12 +8,12 @@ set -eu
 group=${1:---test}
 packages="g++ cmake ninja-build ccache pkg-config git ca-certificates
     libglm-dev libsimdjson-dev libopenexr-dev libspng-dev libjpeg62-turbo-dev zlib1g-dev
-    libtbb-dev libcli11-dev libfmt-dev libexpected-dev"
+    libtbb-dev libcli11-dev libfmt-dev libexpected-dev
+    libvulkan-dev libvulkan-volk-dev glslang-tools spirv-tools"
 case $group in
 --build) ;;
 --test)
-    packages="$packages clang-format libgtest-dev libboost-dev
-        libvulkan-dev glslang-tools spirv-tools"
+    packages="$packages clang-format libgtest-dev libboost-dev vulkan-validationlayers"
     # Node from elsewhere serves as well, and Debian's npm would conflict with it.
     command -v node >/dev/null || packages="$packages nodejs"
     command -v npm >/dev/null || packages="$packages npm"

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Puts the Vulkan Memory Allocator, one header, into build/vma/include. Debian 12 does not have it;
+# trixie's package is for every architecture and works with Debian 12's Vulkan headers.
+# Nothing enters the system; private-apt.sh says how.
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+target=$root/build/vma
+source "$root/scripts/private-apt.sh"
+
+if [ -f "$target/include/vk_mem_alloc.h" ]; then
+    echo "fetch-vma: $target/include/vk_mem_alloc.h is there"
+    exit 0
+fi
+
+work=$root/build/vma.new
+rm -rf "$work"
+mkdir -p "$work/root"
+private_apt_setup fetch-vma "$work/apt" trixie
+echo "fetch-vma: downloading libvulkan-memory-allocator-dev from trixie"
+private_apt update
+# `download` takes the one package; its dependencies are the system's own headers.
+(mkdir -p "$work/apt/cache/archives" && cd "$work/apt/cache/archives" &&
+    private_apt download libvulkan-memory-allocator-dev)
+private_apt_unpack "$work/root"
+mkdir "$work/include"
+cp "$work/root/usr/include/vk_mem_alloc.h" "$work/include/"
+cp "$work/root/usr/share/doc/libvulkan-memory-allocator-dev/copyright" "$work/"
+rm -rf "$work/apt" "$work/root" "$target"
+mv "$work" "$target"
+echo "fetch-vma: $target/include/vk_mem_alloc.h"

@@ -1,0 +1,35 @@
+// What a Vulkan device must offer to run the path tracer, what it may offer, and which of that a
+// given device has: the report behind device choice, `himalaya doctor` and error messages.
+//
+// judge() is plain data to plain data, so the tests feed it devices that do not exist.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace hm::rhi {
+
+// What a device says of itself, by Vulkan's own names.
+struct Offer {
+    std::uint32_t api_version = 0;     // VK_MAKE_API_VERSION's encoding
+    std::set<std::string> extensions;  // "VK_KHR_ray_tracing_pipeline"
+    std::set<std::string> features;    // "scalarBlockLayout"; only those that judge() asks for
+    std::set<std::string> limits;      // "maxPushConstantsSize >= 128"; those that are met
+};
+
+struct Capability {
+    std::string name;     // an extension, a feature, a limit, or "Vulkan 1.3"
+    std::string purpose;  // what for, in a few words
+    bool required = true;
+    bool present = false;
+};
+
+// All that we ask for, in a fixed order, with what `offer` has of it.
+std::vector<Capability> judge(const Offer& offer);
+
+// Names of the required ones that are not there.
+std::vector<std::string> missing(const std::vector<Capability>& capabilities);
+
+}  // namespace hm::rhi

@@ -1,0 +1,84 @@
+// Recording work for the queue.
+//
+//   HM_TRY_ASSIGN(Commands commands, Commands::begin(device, "trace"));
+//   commands.bind(pipeline); ... commands.trace_rays(pipeline, width, height);
+//   HM_TRY_ASSIGN(Ticket done, device.submit(commands));
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "base/result.h"
+#include "rhi/buffer.h"
+#include "rhi/descriptors.h"
+#include "rhi/device.h"
+#include "rhi/image.h"
+
+namespace hm::rhi {
+
+class ComputePipeline;
+class PipelineLayout;
+class RayTracingPipeline;
+
+// One command buffer with a pool of its own. Begins recording; submit() ends it. Destroyed only
+// after its ticket was reached; begin_again() records anew in the same memory.
+class Commands {
+  public:
+    Commands() = default;
+    static Result<Commands> begin(Device& device, std::string_view name);
+    Result<void> begin_again();
+
+    void copy(const Buffer& from, const Buffer& to, std::uint64_t from_offset = 0,
+              std::uint64_t to_offset = 0, std::uint64_t size = VK_WHOLE_SIZE);
+    // Tightly packed rows of level 0; the image is in layout transfer_source or general.
+    void copy(const Image& from, ImageLayout layout, const Buffer& to, std::uint64_t to_offset = 0);
+    void fill(const Buffer& buffer, std::uint32_t value);  // every four bytes
+    // The image is in layout transfer_target or general.
+    void clear(const Image& image, ImageLayout layout, float value);
+
+    // Everything before happens before everything after, memory included. For the odd copy; passes
+    // get theirs from the render graph.
+    void full_barrier();
+    void barrier(const VkDependencyInfo& dependency);
+    // From undefined, losing its contents, or from another layout; waits for everything before.
+    void transition(const Image& image, ImageLayout from, ImageLayout to);
+
+    void bind(const ComputePipeline& pipeline);
+    void bind(const RayTracingPipeline& pipeline);
+    // For the bind point of the pipeline that was bound last.
+    void bind_set(const PipelineLayout& layout, std::uint32_t index, const DescriptorSet& set);
+    void push_set(const PipelineLayout& layout, std::uint32_t index,
+                  const DescriptorWrites& writes);
+    void push_constants(const PipelineLayout& layout, std::span<const std::byte> bytes);
+    template <class T>
+    void push_constants(const PipelineLayout& layout, const T& value) {
+        push_constants(layout, std::as_bytes(std::span(&value, 1)));
+    }
+    void dispatch(std::uint32_t groups_x, std::uint32_t groups_y = 1, std::uint32_t groups_z = 1);
+    void trace_rays(const RayTracingPipeline& pipeline, std::uint32_t width, std::uint32_t height,
+                    std::uint32_t depth = 1);
+
+    // A named range in a debugger's view.
+    void begin_label(std::string_view name);
+    void end_label();
+
+    VkCommandBuffer handle() const { return handle_; }
+
+  private:
+    friend class Device;
+    Result<void> end();
+
+    Device* device_ = nullptr;
+    Handle<VkCommandPool, &vkDestroyCommandPool> pool_;
+    VkCommandBuffer handle_ = VK_NULL_HANDLE;
+    VkPipelineBindPoint bind_point_ = VK_PIPELINE_BIND_POINT_COMPUTE;
+};
+
+// Records, submits and waits.
+Result<void> run_once(Device& device, std::string_view name,
+                      const std::function<Result<void>(Commands&)>& record);
+
+}  // namespace hm::rhi

@@ -1,0 +1,88 @@
+// A Vulkan device with everything enabled that we use, its one queue and its memory allocator.
+//
+// All objects of this room are made from a Device and must not outlive it. None of them is for
+// several threads at once.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+#include "base/result.h"
+#include "rhi/instance.h"
+#include "rhi/physical_device.h"
+#include "rhi/vulkan.h"
+
+// Keeps the allocator's large header out of everybody's way.
+struct VmaAllocator_T;
+
+namespace hm::rhi {
+
+class Commands;
+
+// Names the point in the queue's work where a submission is done; counts up.
+using Ticket = std::uint64_t;
+
+struct MemoryUse {
+    std::uint64_t used_bytes = 0;  // by this process, on the device's own memory
+    std::uint64_t budget_bytes =
+        0;  // what the driver lets this process have, the used ones included
+};
+
+class Device {
+  public:
+    // Fails with ExitCode::no_device if `physical` lacks something required.
+    static Result<std::unique_ptr<Device>> create(std::shared_ptr<Instance> instance,
+                                                  const PhysicalDevice& physical);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    const PhysicalDevice& physical() const { return physical_; }
+    const Limits& limits() const { return physical_.limits; }
+    Instance& instance() const { return *instance_; }
+    MemoryUse memory_use() const;
+
+    // Hands recorded commands to the queue. Submissions run in order, but their work may overlap:
+    // barriers say what waits. `commands` lives until its ticket is reached.
+    Result<Ticket> submit(Commands& commands);
+    // Blocks until the ticket's work is done and its writes are visible to the host.
+    Result<void> wait(Ticket ticket);
+    Result<bool> reached(Ticket ticket) const;
+    Result<void> wait_idle();
+
+    // What debuggers and validation messages call an object.
+    template <class T>
+    void name(VkObjectType type, T handle, std::string_view name) const {
+        set_name(type, reinterpret_cast<std::uint64_t>(handle), name);
+    }
+
+    VkDevice handle() const { return device_; }
+    VmaAllocator_T* allocator() const { return allocator_; }
+    // Of acceleration structures' scratch memory and of the shader binding table.
+    const VkPhysicalDeviceAccelerationStructurePropertiesKHR& acceleration_limits() const {
+        return acceleration_limits_;
+    }
+    const VkPhysicalDeviceRayTracingPipelinePropertiesKHR& ray_tracing_limits() const {
+        return ray_tracing_limits_;
+    }
+
+  private:
+    Device() = default;
+    Result<void> make_device();
+    Result<void> make_allocator();
+    Result<void> make_timeline();
+    void set_name(VkObjectType type, std::uint64_t handle, std::string_view name) const;
+
+    std::shared_ptr<Instance> instance_;
+    PhysicalDevice physical_;
+    VkPhysicalDeviceAccelerationStructurePropertiesKHR acceleration_limits_{};
+    VkPhysicalDeviceRayTracingPipelinePropertiesKHR ray_tracing_limits_{};
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    VmaAllocator_T* allocator_ = nullptr;
+    VkSemaphore timeline_ = VK_NULL_HANDLE;
+    Ticket submitted_ = 0;
+};
+
+}  // namespace hm::rhi

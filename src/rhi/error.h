@@ -1,0 +1,29 @@
+// What a failed Vulkan call becomes: one line with the call, the VkResult's name and the object.
+//
+// ExitCode::no_device: there is no loader, no device, or none that has what we need; another
+// renderer can still draw the picture. ExitCode::device_failed: a device that we had let us down
+// (out of memory, lost); the picture is not finished.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "rhi/vulkan.h"
+
+namespace hm::rhi {
+
+// "VK_ERROR_DEVICE_LOST"; a number for what these headers do not know.
+std::string result_name(VkResult result);
+
+// `object` names what was made or used. Adds what a person can do, where there is something.
+Error device_error(VkResult result, std::string_view call, std::string_view object);
+
+// Every VkResult that is not an error code is success: VK_INCOMPLETE, VK_TIMEOUT and the like are
+// for the caller to look at.
+inline Result<void> check(VkResult result, std::string_view call, std::string_view object) {
+    if (result >= 0) return {};
+    return tl::unexpected(device_error(result, call, object));
+}
+
+}  // namespace hm::rhi

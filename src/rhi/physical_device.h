@@ -1,0 +1,64 @@
+// The devices that the loader offers, described without making any of them, and the choice among
+// them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "rhi/capabilities.h"
+#include "rhi/vulkan.h"
+
+namespace hm::rhi {
+
+enum class DeviceKind { discrete, integrated, virtual_gpu, cpu, other };
+
+// Numbers that callers size things by.
+struct Limits {
+    std::uint32_t max_textures = 0;  // sampled images in one bindless table
+    std::uint32_t max_recursion_depth = 0;
+    std::uint64_t max_instances = 0;       // of a top-level acceleration structure
+    std::uint64_t max_geometries = 0;      // of a bottom-level one
+    std::uint64_t max_triangles = 0;       // of a bottom-level one, over its geometries
+    std::uint64_t max_storage_buffer = 0;  // bytes that one binding can see
+    std::uint32_t max_image_side = 0;
+    std::uint32_t max_dispatch_rays = 0;  // width * height of one trace_rays
+    double timestamp_period_ns = 0;       // 0: no timestamps
+};
+
+struct PhysicalDevice {
+    VkPhysicalDevice handle = VK_NULL_HANDLE;
+    std::uint32_t index = 0;  // N of vulkan:N
+    std::string name;         // "NVIDIA H200"
+    DeviceKind kind = DeviceKind::other;
+    std::string driver;       // "NVIDIA 580.159.03"
+    std::string api_version;  // "1.4.303"
+    std::uint32_t vendor_id = 0;
+    std::array<std::uint8_t, VK_UUID_SIZE> device_uuid{};
+    std::array<std::uint8_t, VK_UUID_SIZE> cache_uuid{};  // of pipeline caches
+    std::uint64_t memory_bytes = 0;                       // its largest device-local heap
+    std::uint32_t queue_family = 0;                       // computes, and draws where one does both
+    Limits limits;
+    std::vector<Capability> capabilities;
+
+    // Whether it has all that is required, and an optional capability by its name.
+    bool usable() const { return missing(capabilities).empty(); }
+    bool has(const std::string& capability) const;
+};
+
+// "discrete GPU", "CPU", ...
+std::string kind_name(DeviceKind kind);
+
+// The usable device that serves best: a card before an integrated one, then the larger memory.
+// Never one of kind cpu. Fails with ExitCode::no_device and says what each device lacks.
+Result<PhysicalDevice> choose_best(std::span<const PhysicalDevice> devices);
+
+// vulkan:N, of any kind. Fails with ExitCode::no_device if there is no such device or it lacks
+// something.
+Result<PhysicalDevice> choose_index(std::span<const PhysicalDevice> devices, std::uint32_t index);
+
+}  // namespace hm::rhi

@@ -1,0 +1,33 @@
+// GPU timestamps.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "rhi/commands.h"
+#include "rhi/device.h"
+
+namespace hm::rhi {
+
+class Timestamps {
+  public:
+    Timestamps() = default;
+    static Result<Timestamps> create(Device& device, std::string_view name, std::uint32_t count);
+
+    // All of them, before the first write of a recording.
+    void reset(Commands& commands);
+    // The moment when everything recorded before has finished.
+    void write(Commands& commands, std::uint32_t index);
+    // Milliseconds since write 0 for each of the first `count`; their commands must be done. All 0
+    // on a device without timestamps.
+    Result<std::vector<double>> milliseconds(std::uint32_t count) const;
+
+  private:
+    Device* device_ = nullptr;
+    Handle<VkQueryPool, &vkDestroyQueryPool> pool_;
+    std::uint32_t count_ = 0;
+};
+
+}  // namespace hm::rhi

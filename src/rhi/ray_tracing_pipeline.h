@@ -1,0 +1,50 @@
+// A ray-tracing pipeline and its shader binding table:
+//
+//   [ray generation] [miss 0, miss 1, ...] [hit group 0, hit group 1, ...]
+//
+// so traceRayEXT's miss index and its hit offset are indices into the lists below (the stride
+// between geometries being 0).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "rhi/buffer.h"
+#include "rhi/pipeline.h"
+
+namespace hm::rhi {
+
+// An empty span leaves the stage out.
+struct HitGroup {
+    Spirv closest_hit;
+    Spirv any_hit;
+};
+
+struct RayTracingPipelineInfo {
+    std::string name;
+    const PipelineLayout* layout = nullptr;
+    Spirv ray_generation;
+    std::vector<Spirv> misses;
+    std::vector<HitGroup> hit_groups;
+    std::uint32_t max_recursion_depth = 1;
+};
+
+class RayTracingPipeline {
+  public:
+    RayTracingPipeline() = default;
+    static Result<RayTracingPipeline> create(Device& device, const RayTracingPipelineInfo& info,
+                                             PipelineCache* cache = nullptr);
+    VkPipeline handle() const { return handle_.get(); }
+    // Ray generation, miss, hit, callable: vkCmdTraceRaysKHR's arguments.
+    const std::array<VkStridedDeviceAddressRegionKHR, 4>& regions() const { return regions_; }
+
+  private:
+    Handle<VkPipeline, &vkDestroyPipeline> handle_;
+    Buffer table_;
+    std::array<VkStridedDeviceAddressRegionKHR, 4> regions_{};
+};
+
+}  // namespace hm::rhi

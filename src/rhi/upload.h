@@ -1,0 +1,65 @@
+// Moving bytes between host and device through staging buffers of a fixed size, so that large
+// scenes need no second copy in host-visible memory.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/result.h"
+#include "rhi/buffer.h"
+#include "rhi/commands.h"
+#include "rhi/image.h"
+
+namespace hm::rhi {
+
+// While one staging buffer is copied by the device, the host fills the other.
+class Uploader {
+  public:
+    // `staging_bytes` is the size of each of the two.
+    static Result<Uploader> create(Device& device, std::uint64_t staging_bytes = 32u << 20);
+
+    Result<void> buffer(const Buffer& to, std::span<const std::byte> bytes,
+                        std::uint64_t to_offset = 0);
+    template <class T>
+    Result<void> buffer(const Buffer& to, std::span<const T> values) {
+        return buffer(to, std::as_bytes(values));
+    }
+    // One level of an image, tightly packed rows; leaves it in layout shader_read.
+    Result<void> image(const Image& to, std::uint32_t level, std::span<const std::byte> texels);
+
+    // Waits until everything has arrived; then shaders and builds see it.
+    Result<void> finish();
+    std::uint64_t bytes() const { return bytes_; }
+
+  private:
+    struct Half {
+        Buffer staging;
+        Commands commands;
+        Ticket ticket = 0;
+        std::uint64_t filled = 0;
+    };
+    // Room in the current half for between `at_least` and `at_most` bytes.
+    Result<std::span<std::byte>> reserve(std::uint64_t at_least, std::uint64_t at_most,
+                                         std::uint64_t alignment);
+    Result<void> flush();
+
+    Device* device_ = nullptr;
+    std::array<Half, 2> halves_;
+    std::size_t current_ = 0;
+    std::uint64_t bytes_ = 0;
+};
+
+// A buffer made and filled in one go.
+Result<Buffer> upload_buffer(Uploader& uploader, Device& device, const BufferInfo& info,
+                             std::span<const std::byte> bytes);
+
+// Waits for everything before, then brings bytes back.
+Result<void> read_back(Device& device, const Buffer& from, std::span<std::byte> bytes,
+                       std::uint64_t from_offset = 0);
+// Level 0, tightly packed rows; the image stays in `layout`, transfer_source or general.
+Result<void> read_back(Device& device, const Image& from, ImageLayout layout,
+                       std::span<std::byte> texels);
+
+}  // namespace hm::rhi
