@@ -8,6 +8,7 @@ build=$root/build/release
 SECONDS=0
 
 "$root/scripts/install-deps.sh" --build
+"$root/scripts/fetch-vma.sh"
 
 # The tests need more packages, so a first configuration leaves them out; test.sh adds them later.
 options=()

@@ -17,6 +17,7 @@ case ${1:-} in
 esac
 
 scripts/install-deps.sh --test
+scripts/fetch-vma.sh
 if [ "$preset" = release ]; then
     scripts/fetch-lavapipe.sh
     # npm checks the hash that the lock file gives.

@@ -25,13 +25,16 @@ const std::map<std::string, Names> kMayInclude = {
     {"bvh", {"base", "shading"}},
     {"film", {"base", "shading", "image"}},
     {"cpu", {"base", "shading", "image", "scene", "bvh", "film"}},
+    {"rhi", {"base"}},
+    {"graph", {"base", "rhi"}},
     {"app", {"base", "shading", "image", "scene", "gltf", "bvh", "film", "cpu"}},
 };
 
 // Outside libraries that one room alone knows, by the first part of the include's path.
 const std::map<std::string, std::string> kOnlyIn = {
-    {"simdjson.h", "gltf"}, {"spng.h", "image"}, {"jpeglib.h", "image"}, {"OpenEXR", "image"},
-    {"Imath", "image"},     {"CLI", "app"},      {"vulkan", "rhi"},
+    {"simdjson.h", "gltf"}, {"spng.h", "image"}, {"jpeglib.h", "image"},
+    {"OpenEXR", "image"},   {"Imath", "image"},  {"CLI", "app"},
+    {"vulkan", "rhi"},      {"volk.h", "rhi"},   {"vk_mem_alloc.h", "rhi"},
 };
 
 fs::path source_dir() {

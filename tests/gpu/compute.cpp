@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -90,7 +89,7 @@ VkPhysicalDevice choose_device(VkInstance instance) {
     check(vkEnumeratePhysicalDevices(instance, &count, devices.data()),
           "vkEnumeratePhysicalDevices");
     std::erase_if(devices, [](VkPhysicalDevice device) {
-        return properties_of(device).apiVersion < VK_API_VERSION_1_2 || !has_scalar_layout(device);
+        return properties_of(device).apiVersion < VK_API_VERSION_1_3 || !has_scalar_layout(device);
     });
     if (devices.empty()) throw std::runtime_error(kNoDevice);
     return *std::ranges::max_element(
@@ -138,7 +137,7 @@ struct ComputeDevice::State {
 void ComputeDevice::State::create_instance() {
     VkApplicationInfo application{};
     application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
-    application.apiVersion = VK_API_VERSION_1_2;
+    application.apiVersion = VK_API_VERSION_1_3;
     VkInstanceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
     info.pApplicationInfo = &application;
@@ -369,16 +368,6 @@ void ComputeShader::run(std::span<const std::span<std::byte>> buffers,
     state.submit(parts_->pipeline, parts_->layout, set, groups_x);
     for (std::size_t i = 0; i < buffers.size(); ++i)
         std::memcpy(buffers[i].data(), mapped[i], buffers[i].size());
-}
-
-std::vector<std::uint32_t> read_spirv(const std::string& path) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    if (!file) throw std::runtime_error(path + ": can't be read");
-    std::vector<std::uint32_t> words(static_cast<std::size_t>(file.tellg()) / 4);
-    file.seekg(0);
-    file.read(reinterpret_cast<char*>(words.data()),
-              static_cast<std::streamsize>(words.size() * sizeof(std::uint32_t)));
-    return words;
 }
 
 }  // namespace hm::test

@@ -49,9 +49,6 @@ class ComputeShader {
     std::unique_ptr<const Parts> parts_;
 };
 
-// The words of a SPIR-V file.
-std::vector<std::uint32_t> read_spirv(const std::string& path);
-
 // A vector's or array's storage, for run().
 template <class T>
 std::span<std::byte> bytes_of(T& values) {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "gpu/spirv_layout.h"
+#include "shaders/layout_comp.h"
 #include "shading/structs.h"
 
 namespace hm {
@@ -99,7 +100,7 @@ const std::map<std::string, Expected> kExpected = {
 #undef HM_MEMBER
 
 TEST(Layout, AgreesWithTheShaders) {
-    const auto layouts = test::read_struct_layouts(test::read_spirv(HM_LAYOUT_SPIRV));
+    const auto layouts = test::read_struct_layouts(shaders::layout_comp());
     for (const auto& [name, cpp] : kExpected) {
         SCOPED_TRACE(name);
         ASSERT_TRUE(layouts.contains(name)) << "layout.comp does not use it";

@@ -1,5 +1,5 @@
 // Runs one topic's cases as GLSL on a Vulkan device and as C++, and compares. Built once per topic:
-// HM_CASES_TOPIC is its name, HM_CASES_FILE its header, HM_CASES_SPIRV the compiled parity.comp;
+// HM_CASES_TOPIC is its name, HM_CASES_FILE its header, shaders/cases.h the compiled parity.comp;
 // HM_CASES_OF_STAGES is there if the topic needs the stages' tables.
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gpu/compute.h"
+#include "shaders/cases.h"
 #include HM_CASES_FILE
 
 namespace hm {
@@ -60,7 +61,7 @@ void run_shader(const test::ComputeDevice& device, std::span<const std::span<std
     std::vector<std::span<std::byte>> buffers = {test::bytes_of(results.gpu),
                                                  test::bytes_of(directions)};
     buffers.insert(buffers.end(), tables.begin(), tables.end());
-    const test::ComputeShader shader(device, test::read_spirv(HM_CASES_SPIRV),
+    const test::ComputeShader shader(device, shaders::cases(),
                                      static_cast<std::uint32_t>(buffers.size()));
     shader.run(buffers, kCases / kGroupSize);
 }

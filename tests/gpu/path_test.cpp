@@ -11,6 +11,7 @@
 
 #include "gpu/compute.h"
 #include "gpu/path_tracer.h"
+#include "shaders/path_comp.h"
 
 namespace hm::test {
 
@@ -123,7 +124,7 @@ TEST(PathParity, SamePictureInBothLanguages) {
     const TestScene scene;
     const ComputeDevice device;
     std::printf("on %s\n", device.name().c_str());
-    const ComputeShader shader(device, read_spirv(HM_PATH_SPIRV), kBuffers);
+    const ComputeShader shader(device, shaders::path_comp(), kBuffers);
     for (const Variant& variant : kVariants) {
         SCOPED_TRACE(variant.name);
         compare(scene, shader, variant);
