@@ -9,12 +9,14 @@ namespace hm {
 // Exit codes of the program; part of the command line's contract.
 enum class ExitCode : int {
     ok = 0,
-    internal = 1,     // a bug, or the machine failed us
-    usage = 2,        // the flags make no sense
-    unreadable = 3,   // an input file is missing or can't be read
-    invalid = 4,      // an input file breaks its format's rules
-    unsupported = 5,  // an input file requires what this program does not have
-    unwritable = 6,   // an output can't be written
+    internal = 1,       // a bug, or the machine failed us
+    usage = 2,          // the flags make no sense
+    unreadable = 3,     // an input file is missing or can't be read
+    invalid = 4,        // an input file breaks its format's rules
+    unsupported = 5,    // an input file requires what this program does not have
+    unwritable = 6,     // an output can't be written
+    no_device = 7,      // there is no Vulkan loader or driver, or no device that has what we need
+    device_failed = 8,  // a device that we had ran out of memory or was lost
     interrupted = 130,
 };
 
