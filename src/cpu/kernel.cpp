@@ -57,24 +57,6 @@ struct Stages : KernelTables {
 #include "shading/path/path.h"
 };
 
-bool is_finite(float x) {
-    return abs(x) <= 3.4e38f;
-}
-
-void add_sample(KernelPixel& pixel, const PathSample& s, KernelTile& tile) {
-    pixel.weight += 1.0f;
-    tile.rays += s.rays;
-    if (!is_finite(s.radiance.x) || !is_finite(s.radiance.y) || !is_finite(s.radiance.z)) {
-        ++tile.non_finite;
-        return;
-    }
-    pixel.radiance[0] += s.radiance.x;
-    pixel.radiance[1] += s.radiance.y;
-    pixel.radiance[2] += s.radiance.z;
-    pixel.alpha += s.alpha;
-    pixel.removed += s.removed;
-}
-
 }  // namespace
 }  // namespace hm
 
@@ -85,11 +67,12 @@ extern "C" void HM_RENDER_TILE(const void* tables, void* tile_data) {
     tile.non_finite = 0;
     for (hm::uint y = tile.y0; y < tile.y1; ++y)
         for (hm::uint x = tile.x0; x < tile.x1; ++x) {
-            hm::KernelPixel& pixel = tile.pixels[(y - tile.y0) * tile.stride + (x - tile.x0)];
+            hm::PixelSum& pixel = tile.pixels[(y - tile.y0) * tile.stride + (x - tile.x0)];
             for (hm::uint index = tile.sample_begin; index < tile.sample_end; ++index) {
                 hm::PathSample sample;
                 stages.trace_sample(x, y, index, sample);
-                hm::add_sample(pixel, sample, tile);
+                tile.rays += sample.rays;
+                if (!stages.add_sample(pixel, sample)) ++tile.non_finite;
             }
         }
 }

@@ -5,7 +5,7 @@
 
 #include "bvh/view.h"
 #include "scene/image_view.h"
-#include "shading/structs.h"
+#include "shading/path/types.h"
 
 namespace hm {
 
@@ -42,19 +42,12 @@ struct KernelTables {
     RenderParams params;
 };
 
-struct KernelPixel {
-    float radiance[3];
-    float alpha;
-    float weight;
-    float removed;
-};
-
 // Pixels [x0, x1) x [y0, y1), samples [sample_begin, sample_end), added to pixels[(y - y0) * stride
 // + x - x0].
 struct KernelTile {
     uint x0, y0, x1, y1;
     uint sample_begin, sample_end;
-    KernelPixel* pixels;
+    PixelSum* pixels;
     uint stride;
     uint rays;        // out
     uint non_finite;  // out

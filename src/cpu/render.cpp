@@ -18,8 +18,6 @@ namespace {
 
 constexpr std::uint32_t kTileSize = 16;
 
-static_assert(sizeof(PixelSum) == sizeof(KernelPixel));
-
 struct InstructionSet {
     const char* name;
     hm_render_tile* render_tile;
@@ -146,7 +144,7 @@ Result<void> CpuRenderer::render(std::uint32_t begin, std::uint32_t end, RenderC
         tile.sample_begin = begin;
         tile.sample_end = end;
         std::size_t first = std::size_t(tile.y0 - crop.y0) * crop.width() + (tile.x0 - crop.x0);
-        tile.pixels = reinterpret_cast<KernelPixel*>(sums.data() + first);
+        tile.pixels = sums.data() + first;
         tile.stride = crop.width();
         impl_->isa.render_tile(&impl_->tables, &tile);
         counters.samples += std::uint64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0) * (end - begin);

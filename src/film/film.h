@@ -9,17 +9,9 @@
 
 #include "film/aov.h"
 #include "image/image.h"
-#include "shading/lang.h"
+#include "shading/path/types.h"
 
 namespace hm {
-
-// The sums of one pixel's samples, in the order of their indices.
-struct PixelSum {
-    vec3 radiance;  // premultiplied, linear Rec.709
-    float alpha;
-    float weight;   // how many samples
-    float removed;  // luminance that --clamp took away
-};
 
 // Half-open, in pixels of the whole picture.
 struct PixelRect {

@@ -13,4 +13,5 @@
 #include "shading/path/closest_hit.h"
 #include "shading/path/miss.h"
 #include "shading/path/ray_generation.h"
+#include "shading/path/accumulate.h"
 // clang-format on

@@ -60,6 +60,14 @@ struct PathSample {
     uint rays;
 };
 
+// The sums of one pixel's samples, in the order of their indices.
+struct PixelSum {
+    vec3 radiance;  // premultiplied, linear Rec.709
+    float alpha;
+    float weight;   // how many samples
+    float removed;  // luminance that --clamp took away
+};
+
 HM_NAMESPACE_END
 
 #endif
