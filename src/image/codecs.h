@@ -10,6 +10,7 @@
 
 #include "base/result.h"
 #include "image/image.h"
+#include "image/layers.h"
 #include "image/write.h"
 
 namespace hm {
@@ -32,10 +33,13 @@ Result<Image> decode_png(Bytes bytes, std::string_view name);
 Result<Image> decode_jpeg(Bytes bytes, std::string_view name);
 Result<Image> decode_hdr(Bytes bytes, std::string_view name);
 Result<Image> decode_exr(Bytes bytes, std::string_view name, ExrValues values);
+Result<LayeredImage> decode_layers(Bytes bytes, std::string_view name);
 
 // Fail with ExitCode::unwritable and an empty file name.
 Result<std::vector<std::byte>> encode_png(const Image& image, bool alpha, const Metadata& metadata);
 Result<std::vector<std::byte>> encode_exr(const Image& image, bool alpha, const Metadata& metadata);
+Result<std::vector<std::byte>> encode_layers(const LayeredImage& picture,
+                                             const ExrOptions& options);
 std::vector<std::byte> encode_hdr(const Image& image);
 
 // The largest value of a 16-bit float: what an infinite radiance, mostly the overflow of one,

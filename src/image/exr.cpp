@@ -1,69 +1,23 @@
-// OpenEXR through its library's C++ interface, from and to memory.
+// Pictures of one layer from OpenEXR files, through the library's C++ interface.
 #include <ImathBox.h>
 #include <ImfChannelList.h>
-#include <ImfChromaticitiesAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputFile.h>
-#include <ImfOutputFile.h>
-#include <ImfStandardAttributes.h>
-#include <ImfStringAttribute.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <new>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "base/check.h"
 #include "image/codecs.h"
 #include "image/exr_header.h"
+#include "image/exr_stream.h"
+#include "image/layers.h"
 
 namespace hm {
 namespace {
-
-// OpenEXR takes a stream's exceptions as failures to read and passes them on.
-class InputBytes : public Imf::IStream {
-  public:
-    InputBytes(Bytes bytes, const std::string& name) : IStream(name.c_str()), bytes_(bytes) {}
-
-    bool read(char to[], int count) override {
-        const auto size = static_cast<std::size_t>(std::max(count, 0));
-        if (at_ > bytes_.size() || size > bytes_.size() - at_)
-            throw std::runtime_error("the file ends early");
-        if (size > 0) std::memcpy(to, bytes_.data() + at_, size);
-        at_ += size;
-        return at_ < bytes_.size();
-    }
-    std::uint64_t tellg() override { return at_; }
-    void seekg(std::uint64_t position) override { at_ = position; }
-
-  private:
-    Bytes bytes_;
-    std::uint64_t at_ = 0;
-};
-
-class OutputBytes : public Imf::OStream {
-  public:
-    OutputBytes() : OStream("") {}
-
-    void write(const char from[], int count) override {
-        const auto size = static_cast<std::size_t>(std::max(count, 0));
-        if (bytes.size() < at_ + size) bytes.resize(at_ + size);
-        if (size > 0) std::memcpy(bytes.data() + at_, from, size);
-        at_ += size;
-    }
-    std::uint64_t tellp() override { return at_; }
-    void seekp(std::uint64_t position) override { at_ = position; }
-
-    std::vector<std::byte> bytes;
-
-  private:
-    std::uint64_t at_ = 0;
-};
 
 tl::unexpected<Error> refuse(std::string_view name, std::string message,
                              ExitCode code = ExitCode::invalid) {
@@ -138,30 +92,12 @@ Result<Image> read_pixels(Imf::InputFile& file, std::string_view name, ExrValues
     return image;
 }
 
-// Attribute names that mean something to readers of OpenEXR, whatever their type.
-bool is_reserved(std::string_view name) {
-    constexpr std::string_view kReserved[] = {"name",       "type",  "version", "view",
-                                              "chunkCount", "tiles", "preview", "multiView"};
-    return std::find(std::begin(kReserved), std::end(kReserved), name) != std::end(kReserved);
-}
-
-// Printable ASCII without blanks, at most 255 characters; an underscore is added until it is free.
-std::string attribute_name(const Imf::Header& header, std::string_view wanted) {
-    constexpr std::size_t kMaxLength = 240;  // leaves room for the underscores
-    std::string name;
-    for (const char c : wanted.substr(0, kMaxLength))
-        name += c > ' ' && c <= '~' ? c : '_';
-    while (name.empty() || is_reserved(name) || header.find(name) != header.end())
-        name += '_';
-    return name;
-}
-
 }  // namespace
 
 Result<Image> decode_exr(Bytes bytes, std::string_view name, ExrValues values) {
     HM_TRY(check_exr_header(bytes, name));
     try {
-        InputBytes stream(bytes, std::string(name));
+        ExrInput stream(bytes, std::string(name));
         Imf::InputFile file(stream);
         return read_pixels(file, name, values);
     } catch (const std::bad_alloc&) {
@@ -173,33 +109,8 @@ Result<Image> decode_exr(Bytes bytes, std::string_view name, ExrValues values) {
 
 Result<std::vector<std::byte>> encode_exr(const Image& image, bool alpha,
                                           const Metadata& metadata) {
-    HM_CHECK(image.format == PixelFormat::rgba32f, "format = {}", unsigned(image.format));
-    try {
-        OutputBytes stream;
-        Imf::Header header(int(image.width), int(image.height));
-        header.compression() = Imf::ZIP_COMPRESSION;
-        Imf::addChromaticities(header, Imf::Chromaticities());  // the default ones are Rec.709's
-        constexpr const char* kNames[] = {"R", "G", "B", "A"};
-        const std::size_t channels = alpha ? 4 : 3;
-        Imf::FrameBuffer frame;
-        for (std::size_t c = 0; c < channels; ++c) {
-            header.channels().insert(kNames[c], Imf::Channel(Imf::FLOAT));
-            frame.insert(kNames[c], Imf::Slice::Make(Imf::FLOAT, image.pixels.data() + 4 * c,
-                                                     header.dataWindow(), 16, image.width * 16ul));
-        }
-        for (const auto& [key, value] : metadata)
-            header.insert(attribute_name(header, key), Imf::StringAttribute(value));
-        {
-            Imf::OutputFile file(stream, header);
-            file.setFrameBuffer(frame);
-            file.writePixels(int(image.height));
-        }  // the table of line offsets is written when the file is closed
-        return std::move(stream.bytes);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& error) {
-        return fail(ExitCode::unwritable, "", "", std::string("EXR: ") + error.what());
-    }
+    const PictureWindow window{0, 0, int(image.width), int(image.height)};
+    return encode_layers({window, window, {make_layer("", image, alpha)}, metadata}, {});
 }
 
 }  // namespace hm
