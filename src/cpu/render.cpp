@@ -118,6 +118,20 @@ std::string CpuRenderer::device() const {
     return fmt::format("CPU ({})", instruction_set());
 }
 
+RendererReport CpuRenderer::report() const {
+    const BvhStats& s = bvh_stats();
+    return {.kind = "cpu",
+            .device = "CPU",
+            .variant = instruction_set(),
+            .build_seconds = s.build_seconds,
+            .structure_bytes = s.bytes,
+            .structure = {{"triangles", s.triangles},
+                          {"degenerate_triangles", s.degenerate_triangles},
+                          {"nodes", s.nodes},
+                          {"packets", s.packets},
+                          {"merged_instances", s.merged_instances}}};
+}
+
 Result<void> CpuRenderer::begin(const RenderJob& job, Film& film) {
     HM_CHECK(film.sums.size() == std::size_t(film.crop.width()) * film.crop.height(),
              "{} sums for {} x {}", film.sums.size(), film.crop.width(), film.crop.height());

@@ -22,6 +22,7 @@ class CpuRenderer final : public Renderer {
     Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
                         const std::atomic<bool>& cancel) override;
     Result<void> sync() override { return {}; }
+    RendererReport report() const override;
 
     const BvhStats& bvh_stats() const;
     std::string instruction_set() const;  // "baseline", "avx2" or "avx512": what the stages run as

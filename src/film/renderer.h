@@ -6,6 +6,8 @@
 #include <atomic>
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/result.h"
 #include "film/film.h"
@@ -27,6 +29,19 @@ struct RenderJob {
     std::array<float, 257> filter_table{};  // make_filter_table (shading/tables)
 };
 
+// What a renderer tells of itself and of the scene it holds.
+struct RendererReport {
+    std::string kind;                   // "cpu" or "vulkan"
+    std::string device;                 // what decides a picture's bits: "CPU", "NVIDIA H200"
+    std::string variant;                // the instruction set, or the driver and its version
+    double upload_seconds = 0;          // copying the scene to the device
+    double build_seconds = 0;           // the acceleration structure
+    std::uint64_t structure_bytes = 0;  // of the acceleration structure
+    std::uint64_t device_bytes = 0;     // all that the scene and the film take there
+    // What the acceleration structure consists of, by name: {"triangles", 32}.
+    std::vector<std::pair<std::string, std::uint64_t>> structure{};
+};
+
 class Renderer {
   public:
     virtual ~Renderer() = default;
@@ -46,6 +61,8 @@ class Renderer {
 
     // Brings the film's sums up to date: a device with memory of its own keeps them until then.
     virtual Result<void> sync() = 0;
+
+    virtual RendererReport report() const = 0;
 };
 
 }  // namespace hm

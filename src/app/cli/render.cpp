@@ -103,9 +103,7 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
 
     start = Clock::now();
     CpuRenderer renderer(flat, options.threads);
-    summary.bvh = renderer.bvh_stats();
-    summary.instruction_set = renderer.instruction_set();
-    summary.times.bvh = seconds_since(start);
+    summary.times.prepare = seconds_since(start);
 
     Film film(options.crop.value_or(PixelRect{0, 0, options.width, options.height}));
     RenderCounters counters;
@@ -116,6 +114,7 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
                       PassPlan{.samples = options.samples, .time = options.time}, interrupted,
                       [&](const ProgressState& state) { progress.update(state); }));
     progress.finish();
+    summary.renderer = renderer.report();
     summary.times.render = passes.seconds;
     summary.interrupted = passes.interrupted;
     fill_results(summary, film, counters);

@@ -51,7 +51,7 @@ void write_settings(JsonWriter& json, const RenderOptions& o, const RenderSummar
     json.field("seed", o.seed).field("sampler", sampler_name(o.sampler));
     json.field("bounces", o.bounces).field("clamp", double(o.clamp));
     json.field("exposure", double(summary.exposure)).field("threads", o.threads);
-    json.field("device", "cpu").field("instruction_set", summary.instruction_set).end_object();
+    json.end_object();
 }
 
 void write_scene(JsonWriter& json, const SceneStats& s) {
@@ -62,17 +62,22 @@ void write_scene(JsonWriter& json, const SceneStats& s) {
     json.field("emissive_triangles", s.emissive_triangles).end_object();
 }
 
-void write_bvh(JsonWriter& json, const BvhStats& s) {
-    json.key("bvh").begin_object();
-    json.field("triangles", s.triangles).field("degenerate_triangles", s.degenerate_triangles);
-    json.field("nodes", s.nodes).field("packets", s.packets);
-    json.field("merged_instances", s.merged_instances).field("bytes", s.bytes).end_object();
+void write_renderer(JsonWriter& json, const RendererReport& r) {
+    json.key("device").begin_object();
+    json.field("kind", r.kind).field("name", r.device).field("variant", r.variant);
+    json.field("bytes", r.device_bytes).end_object();
+    json.key("acceleration_structure").begin_object();
+    for (const auto& [name, count] : r.structure)
+        json.field(name, count);
+    json.field("bytes", r.structure_bytes).end_object();
 }
 
-void write_times(JsonWriter& json, const StageTimes& t) {
+void write_times(JsonWriter& json, const RenderSummary& s) {
     json.key("seconds").begin_object();
-    json.field("load", t.load).field("flatten", t.flatten).field("bvh", t.bvh);
-    json.field("render", t.render).field("write", t.write).end_object();
+    json.field("load", s.times.load).field("flatten", s.times.flatten);
+    json.field("upload", s.renderer.upload_seconds).field("build", s.renderer.build_seconds);
+    json.field("prepare", s.times.prepare).field("render", s.times.render);
+    json.field("write", s.times.write).end_object();
 }
 
 }  // namespace
@@ -91,7 +96,8 @@ SceneStats scene_stats(const Scene& scene, const FlatScene& flat) {
     return s;
 }
 
-// Nothing here depends on the clock or the machine: the same picture is the same file.
+// Nothing here depends on the clock, and on the machine only what bits depend on: the same picture
+// is the same file.
 Metadata picture_metadata(const RenderOptions& options, const RenderSummary& summary) {
     return {{"software", "Himalaya " HIMALAYA_VERSION},
             {"settings", settings_line(options)},
@@ -104,7 +110,8 @@ Metadata picture_metadata(const RenderOptions& options, const RenderSummary& sum
             {"camera", summary.camera},
             {"view", summary.view},
             {"exposure", fmt::format("{:g} EV, PNG only", summary.exposure)},
-            {"environment", summary.environment}};
+            {"environment", summary.environment},
+            {"device", summary.renderer.device}};
 }
 
 std::string json_report(const RenderOptions& options, const RenderSummary& summary,
@@ -117,8 +124,8 @@ std::string json_report(const RenderOptions& options, const RenderSummary& summa
     json.field("camera", summary.camera).field("view", summary.view);
     json.field("environment", summary.environment).field("bias", bias(options, summary));
     write_scene(json, summary.scene);
-    write_bvh(json, summary.bvh);
-    write_times(json, summary.times);
+    write_renderer(json, summary.renderer);
+    write_times(json, summary);
     json.field("samples_per_pixel", summary.samples_per_pixel);
     json.field("samples", summary.samples).field("rays", summary.rays);
     json.field("samples_per_second", per_second(summary.samples, summary.times.render));
@@ -139,10 +146,10 @@ std::string json_report(const RenderOptions& options, const RenderSummary& summa
 
 std::string summary_line(const RenderSummary& s) {
     return fmt::format(
-        "{}{:.6g} samples/pixel, {:.2f} Mrays/s; load {:.2f} s, BVH {:.2f} s, "
+        "{}{:.6g} samples/pixel on {}, {:.2f} Mrays/s; load {:.2f} s, prepare {:.2f} s, "
         "render {:.2f} s, write {:.2f} s",
-        s.interrupted ? "interrupted at " : "", s.samples_per_pixel,
-        per_second(s.rays, s.times.render) * 1e-6, s.times.load + s.times.flatten, s.times.bvh,
+        s.interrupted ? "interrupted at " : "", s.samples_per_pixel, s.renderer.device,
+        per_second(s.rays, s.times.render) * 1e-6, s.times.load + s.times.flatten, s.times.prepare,
         s.times.render, s.times.write);
 }
 

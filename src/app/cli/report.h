@@ -5,8 +5,7 @@
 
 #include "app/cli/options.h"
 #include "base/diagnostics.h"
-#include "bvh/bvh.h"
-#include "film/film.h"
+#include "film/renderer.h"
 #include "image/write.h"
 #include "scene/flatten.h"
 #include "scene/scene.h"
@@ -17,7 +16,7 @@ namespace hm::cli {
 struct StageTimes {
     double load = 0;
     double flatten = 0;  // environment included
-    double bvh = 0;
+    double prepare = 0;  // upload and acceleration structure
     double render = 0;
     double write = 0;
 };
@@ -29,11 +28,11 @@ struct SceneStats {
 };
 
 struct RenderSummary {
-    std::string camera, environment, instruction_set;
+    std::string camera, environment;
     std::string view;    // the flags that look the same way; empty if none do
     float exposure = 0;  // EV, of PNG files
     SceneStats scene;
-    BvhStats bvh;
+    RendererReport renderer;
     StageTimes times;
     std::uint64_t samples = 0, rays = 0, non_finite = 0;
     double samples_per_pixel = 0;  // the mean, where an early end left differences
