@@ -3,9 +3,9 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/check.h"
+#include "shading/degenerate.h"
 
 namespace hm {
 namespace {
@@ -31,17 +31,6 @@ Corners corners_of(const TreePart& part, std::uint32_t primitive) {
         }
     }
     return corners;
-}
-
-// A triangle that no ray hits: a corner that is not a number, or no area (in double, where the
-// products of float coordinates don't vanish).
-bool is_degenerate(const Corners& corners) {
-    for (const vec3& p : corners.at)
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return true;
-    const glm::dvec3 origin(corners.at[0]);
-    const glm::dvec3 normal =
-        glm::cross(glm::dvec3(corners.at[1]) - origin, glm::dvec3(corners.at[2]) - origin);
-    return normal == glm::dvec3(0);
 }
 
 BvhBox box_of(const Corners& corners, std::uint32_t primitive, std::uint32_t part) {
@@ -75,7 +64,7 @@ std::vector<BvhBox> gather_boxes(std::span<const TreePart> parts, std::uint64_t&
         Block& block = blocks[b];
         for (std::uint32_t i = block.first; i < block.first + block.count; ++i) {
             const Corners corners = corners_of(parts[block.part], i);
-            if (is_degenerate(corners)) continue;
+            if (is_degenerate(corners.at[0], corners.at[1], corners.at[2])) continue;
             boxes[block.offset + block.kept++] = box_of(corners, i, block.part);
         }
     });

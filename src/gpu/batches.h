@@ -1,0 +1,61 @@
+// How much work one submission gets: rows of the picture times samples, so that it runs for about
+// kBatchMilliseconds: long enough to fill a device, short enough that no driver times out and that
+// cancelling is quick. Plain data; what time shows decides nothing but where a picture is split,
+// which changes none of its bits.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace hm {
+
+inline constexpr double kBatchMilliseconds = 40;
+
+// Samples [sample_begin, sample_end) of the rows [first_row, first_row + rows).
+struct Batch {
+    std::uint32_t first_row = 0;
+    std::uint32_t rows = 0;
+    std::uint32_t sample_begin = 0;
+    std::uint32_t sample_end = 0;
+
+    std::uint64_t samples(std::uint32_t width) const {
+        return std::uint64_t(width) * rows * (sample_end - sample_begin);
+    }
+};
+
+// Learns from batches how many samples of a pixel fit the time.
+class BatchSizer {
+  public:
+    BatchSizer() = default;
+    // max_pixels: of one launch.
+    BatchSizer(std::uint32_t width, std::uint32_t height, std::uint64_t max_pixels);
+
+    void learn(const Batch& batch, double milliseconds);
+    // How many rows, and of those how many samples where that is all rows.
+    std::uint32_t rows() const;
+    std::uint32_t samples() const;
+
+  private:
+    std::uint32_t width_ = 0;
+    std::uint32_t height_ = 0;
+    std::uint64_t max_pixels_ = 0;
+    double budget_ = 0;  // samples of a pixel per submission
+};
+
+// Cuts [begin, end) of all rows into batches: several samples of all rows, or where one sample of
+// all is too much, one sample band by band.
+class BatchCutter {
+  public:
+    BatchCutter(std::uint32_t height, std::uint32_t begin, std::uint32_t end)
+        : height_(height), next_(begin), end_(end) {}
+    // None when all is done.
+    std::optional<Batch> next(const BatchSizer& sizer);
+
+  private:
+    std::uint32_t height_;
+    std::uint32_t next_;
+    std::uint32_t end_;
+    std::uint32_t row_ = 0;  // of sample next_, where the band begins
+};
+
+}  // namespace hm

@@ -1,0 +1,25 @@
+#include "gpu/context.h"
+
+namespace hm {
+
+Result<std::unique_ptr<GpuContext>> GpuContext::create(std::unique_ptr<rhi::Device> device,
+                                                       const std::filesystem::path& cache_folder,
+                                                       Diagnostics& diagnostics) {
+    std::unique_ptr<GpuContext> context(new GpuContext);
+    context->device_ = std::move(device);
+    HM_TRY_ASSIGN(context->layouts_, SceneLayouts::create(*context->device_));
+    HM_TRY_ASSIGN(context->cache_,
+                  rhi::PipelineCache::open(*context->device_, cache_folder, diagnostics));
+    return context;
+}
+
+Result<const PathTracingPass*> GpuContext::path_tracing(PathTracingVariant variant) {
+    const auto found = path_tracing_.find(variant);
+    if (found != path_tracing_.end()) return &found->second;
+    HM_TRY_ASSIGN(PathTracingPass pass,
+                  PathTracingPass::create(*device_, layouts_, variant, &cache_));
+    HM_TRY(cache_.save());
+    return &path_tracing_.emplace(variant, std::move(pass)).first->second;
+}
+
+}  // namespace hm

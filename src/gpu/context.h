@@ -1,0 +1,40 @@
+// What all scenes that one device draws share: the device itself, the layouts of the descriptor
+// sets and the compiled pipelines.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "base/diagnostics.h"
+#include "gpu/layouts.h"
+#include "gpu/passes/path_tracing/path_tracing.h"
+#include "rhi/device.h"
+#include "rhi/pipeline_cache.h"
+
+namespace hm {
+
+class GpuContext {
+  public:
+    // cache_folder: where compiled pipelines are kept between runs (rhi::default_cache_folder());
+    // empty keeps none.
+    static Result<std::unique_ptr<GpuContext>> create(std::unique_ptr<rhi::Device> device,
+                                                      const std::filesystem::path& cache_folder,
+                                                      Diagnostics& diagnostics);
+
+    rhi::Device& device() { return *device_; }
+    const SceneLayouts& layouts() const { return layouts_; }
+
+    // Compiled when first asked for, which takes seconds where the cache has it not.
+    Result<const PathTracingPass*> path_tracing(PathTracingVariant variant);
+
+  private:
+    GpuContext() = default;
+
+    std::unique_ptr<rhi::Device> device_;
+    SceneLayouts layouts_;
+    rhi::PipelineCache cache_;
+    std::map<PathTracingVariant, PathTracingPass> path_tracing_;
+};
+
+}  // namespace hm

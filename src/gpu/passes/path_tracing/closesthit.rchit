@@ -1,0 +1,24 @@
+// Closest hit: facts about the surface, for ray generation to combine.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "gpu/bindings.glsl"
+
+layout(location = 0) rayPayloadInEXT PathPayload path_payload;
+hitAttributeEXT vec2 barycentrics;
+
+#include "shading/path/sampler.h"
+#include "shading/path/texture.h"
+#include "shading/path/surface.h"
+#include "shading/path/bsdf.h"
+#include "shading/path/environment.h"
+#include "shading/path/emission.h"
+#include "shading/path/light_sampling.h"
+#include "shading/path/closest_hit.h"
+
+void main() {
+    HitIds ids;
+    ids.instance = gl_InstanceCustomIndexEXT;
+    ids.geometry = gl_GeometryIndexEXT;
+    ids.primitive = gl_PrimitiveID;
+    closest_hit(path_payload, ids, gl_HitTEXT, barycentrics, gl_WorldRayDirectionEXT);
+}

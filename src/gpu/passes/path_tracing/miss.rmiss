@@ -1,0 +1,14 @@
+// Miss of a path's ray: the environment.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "gpu/bindings.glsl"
+
+layout(location = 0) rayPayloadInEXT PathPayload path_payload;
+
+#include "shading/path/texture.h"
+#include "shading/path/environment.h"
+#include "shading/path/miss.h"
+
+void main() {
+    miss(path_payload, gl_WorldRayDirectionEXT);
+}

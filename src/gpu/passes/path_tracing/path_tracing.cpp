@@ -1,0 +1,69 @@
+#include "gpu/passes/path_tracing/path_tracing.h"
+
+#include <array>
+
+#include "shaders/anyhit_rahit.h"
+#include "shaders/closesthit_rchit.h"
+#include "shaders/miss_rmiss.h"
+#include "shaders/reference_view_reorder.h"
+#include "shaders/reference_view_rgen.h"
+#include "shaders/shadow_anyhit.h"
+#include "shaders/shadow_miss_rmiss.h"
+
+namespace hm {
+namespace {
+
+// Set 3, by the shaders' numbers. 1 and 2 are the denoiser's auxiliary images.
+constexpr std::uint32_t kAccumulation = 0;
+constexpr std::uint32_t kSobolDirections = 3;
+constexpr std::uint32_t kRemoved = 4;
+constexpr std::uint32_t kCounters = 5;
+
+constexpr std::array<rhi::Binding, 4> kTargets = {{
+    {kAccumulation, rhi::DescriptorKind::storage_image},
+    {kSobolDirections, rhi::DescriptorKind::storage_buffer},
+    {kRemoved, rhi::DescriptorKind::storage_image},
+    {kCounters, rhi::DescriptorKind::storage_buffer},
+}};
+
+}  // namespace
+
+Result<PathTracingPass> PathTracingPass::create(rhi::Device& device, const SceneLayouts& layouts,
+                                                PathTracingVariant variant,
+                                                rhi::PipelineCache* cache) {
+    PathTracingPass pass;
+    HM_TRY_ASSIGN(pass.targets_,
+                  rhi::SetLayout::create(device, "path tracing targets", kTargets, true));
+    const std::array<const rhi::SetLayout*, 4> sets = {&layouts.scene, &layouts.textures, nullptr,
+                                                       &pass.targets_};
+    HM_TRY_ASSIGN(pass.layout_,
+                  rhi::PipelineLayout::create(device, "path tracing", sets, sizeof(TraceRange)));
+    rhi::RayTracingPipelineInfo info;
+    info.name = variant.reorder ? "path tracing, reordered" : "path tracing";
+    info.layout = &pass.layout_;
+    info.ray_generation =
+        variant.reorder ? shaders::reference_view_reorder() : shaders::reference_view_rgen();
+    info.misses = {shaders::miss_rmiss(), shaders::shadow_miss_rmiss()};
+    info.hit_groups = {{shaders::closesthit_rchit(), shaders::anyhit_rahit()},
+                       {{}, shaders::shadow_anyhit()}};
+    HM_TRY_ASSIGN(pass.pipeline_, rhi::RayTracingPipeline::create(device, info, cache));
+    return pass;
+}
+
+void PathTracingPass::record(rhi::Commands& commands, const GpuScene& scene,
+                             const PathTracingTargets& targets, const TraceRange& range,
+                             std::uint32_t rows) const {
+    rhi::DescriptorWrites writes(targets_);
+    writes.image(kAccumulation, targets.accumulation)
+        .buffer(kSobolDirections, scene.sobol_directions())
+        .image(kRemoved, targets.removed)
+        .buffer(kCounters, targets.counters);
+    commands.bind(pipeline_);
+    commands.bind_set(layout_, 0, scene.scene_set());
+    commands.bind_set(layout_, 1, scene.texture_set());
+    commands.push_set(layout_, 3, writes);
+    commands.push_constants(layout_, range);
+    commands.trace_rays(pipeline_, targets.accumulation.info().width, rows);
+}
+
+}  // namespace hm

@@ -1,0 +1,194 @@
+#include "gpu/renderer.h"
+
+#include <array>
+#include <cstring>
+#include <span>
+
+#include "base/check.h"
+
+namespace hm {
+namespace {
+
+using TraceCounterRows = std::array<TraceCounters, kCounterRows>;
+
+Result<rhi::Image> make_sum_image(rhi::Device& device, const char* name, rhi::Format format,
+                                  std::uint32_t width, std::uint32_t height) {
+    return rhi::Image::create(device, {name, format, width, height, 1, rhi::ImageUse::storage});
+}
+
+// Fills an image of layout general with what the film holds.
+template <class T>
+Result<void> upload_sums(rhi::Device& device, const rhi::Image& image, const std::vector<T>& sums) {
+    HM_TRY_ASSIGN(rhi::Uploader uploader, rhi::Uploader::create(device));
+    HM_TRY(uploader.image(image, 0, std::as_bytes(std::span(sums))));
+    HM_TRY(uploader.finish());
+    return rhi::run_once(device, "sums to general", [&](rhi::Commands& commands) -> Result<void> {
+        commands.transition(image, rhi::ImageLayout::shader_read, rhi::ImageLayout::general);
+        return {};
+    });
+}
+
+template <class T>
+Result<std::vector<T>> download_sums(rhi::Device& device, const rhi::Image& image,
+                                     std::size_t count) {
+    std::vector<T> sums(count);
+    HM_TRY(rhi::read_back(device, image, rhi::ImageLayout::general,
+                          std::as_writable_bytes(std::span(sums))));
+    return sums;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<VulkanRenderer>> VulkanRenderer::create(GpuContext& context,
+                                                               const FlatScene& scene) {
+    std::unique_ptr<VulkanRenderer> renderer(new VulkanRenderer(context));
+    HM_TRY_ASSIGN(renderer->pass_, context.path_tracing({}));
+    HM_TRY_ASSIGN(renderer->scene_, GpuScene::create(context.device(), context.layouts(), scene));
+    HM_TRY(renderer->make_slots());
+    return renderer;
+}
+
+VulkanRenderer::~VulkanRenderer() {
+    // Nothing is destroyed while it is in use; a lost device has stopped using anything.
+    (void)context_.device().wait_idle();
+}
+
+std::string VulkanRenderer::device() const {
+    return context_.device().physical().name + " (Vulkan)";
+}
+
+Result<void> VulkanRenderer::make_slots() {
+    rhi::Device& device = context_.device();
+    HM_TRY_ASSIGN(counters_, rhi::Buffer::create(device, {"counters", sizeof(TraceCounterRows)}));
+    HM_TRY(rhi::run_once(device, "clear counters", [&](rhi::Commands& commands) -> Result<void> {
+        commands.fill(counters_, 0);
+        return {};
+    }));
+    for (Slot& slot : slots_) {
+        HM_TRY_ASSIGN(slot.timestamps, rhi::Timestamps::create(device, "submission", 2));
+        HM_TRY_ASSIGN(
+            slot.counters,
+            rhi::Buffer::create(device, {"counters, read back", sizeof(TraceCounterRows),
+                                         rhi::BufferUse::none, rhi::MemoryKind::readback}));
+    }
+    return {};
+}
+
+Result<void> VulkanRenderer::begin(const RenderJob& job, Film& film) {
+    HM_TRY(context_.device().wait_idle());
+    film_ = &film;
+    clamps_ = job.params.max_radiance > 0;
+    added_.assign(film.crop.height(), 0);
+    sizer_ = BatchSizer(film.crop.width(), film.crop.height(),
+                        context_.device().limits().max_dispatch_rays);
+    HM_TRY(scene_->set_frame(job.params, job.camera, job.filter_table));
+    return make_targets();
+}
+
+Result<void> VulkanRenderer::make_targets() {
+    rhi::Device& device = context_.device();
+    const std::uint32_t width = film_->crop.width();
+    const std::uint32_t height = film_->crop.height();
+    HM_TRY_ASSIGN(accumulation_,
+                  make_sum_image(device, "accumulation", rhi::Format::rgba32f, width, height));
+    HM_TRY_ASSIGN(removed_, make_sum_image(device, "removed luminance", rhi::Format::r32f,
+                                           clamps_ ? width : 1, clamps_ ? height : 1));
+    std::vector<vec4> sums;
+    std::vector<float> removed;
+    for (const PixelSum& s : film_->sums) {
+        sums.emplace_back(s.radiance, s.alpha);
+        removed.push_back(s.removed);
+    }
+    if (!clamps_) removed.resize(1);
+    HM_TRY(upload_sums(device, accumulation_, sums));
+    return upload_sums(device, removed_, removed);
+}
+
+Result<void> VulkanRenderer::submit(Slot& slot, const Batch& batch) {
+    if (slot.commands.handle() == VK_NULL_HANDLE) {
+        HM_TRY_ASSIGN(slot.commands, rhi::Commands::begin(context_.device(), "trace"));
+    } else {
+        HM_TRY(slot.commands.begin_again());
+    }
+    const TraceRange range = {film_->crop.x0, film_->crop.y0, batch.first_row, batch.sample_begin,
+                              batch.sample_end};
+    slot.commands.full_barrier();  // after the other slot's submission, which adds to the same sums
+    slot.timestamps.reset(slot.commands);
+    slot.timestamps.write(slot.commands, 0);
+    pass_->record(slot.commands, *scene_, {accumulation_, removed_, counters_}, range, batch.rows);
+    slot.timestamps.write(slot.commands, 1);
+    slot.commands.full_barrier();
+    slot.commands.copy(counters_, slot.counters);
+    HM_TRY_ASSIGN(slot.ticket, context_.device().submit(slot.commands));
+    slot.batch = batch;
+    slot.busy = true;
+    return {};
+}
+
+Result<void> VulkanRenderer::finish(Slot& slot, RenderCounters& counters) {
+    if (!slot.busy) return {};
+    HM_TRY(context_.device().wait(slot.ticket));
+    slot.busy = false;
+    HM_TRY_ASSIGN(const std::vector<double> times, slot.timestamps.milliseconds(2));
+    sizer_.learn(slot.batch, times[1]);
+    const std::uint32_t samples = slot.batch.sample_end - slot.batch.sample_begin;
+    for (std::uint32_t row = 0; row < slot.batch.rows; ++row)
+        added_[slot.batch.first_row + row] += samples;
+    count(slot, counters);
+    return {};
+}
+
+// The device's counters go round at 2^32, which one submission doesn't come near.
+void VulkanRenderer::count(const Slot& slot, RenderCounters& counters) {
+    TraceCounterRows rows{};
+    std::memcpy(rows.data(), slot.counters.mapped().data(), sizeof(rows));
+    TraceCounters now{};
+    for (const TraceCounters& row : rows) {
+        now.rays += row.rays;
+        now.non_finite += row.non_finite;
+    }
+    counters.samples += slot.batch.samples(film_->crop.width());
+    counters.rays += now.rays - counted_.rays;
+    counters.non_finite += now.non_finite - counted_.non_finite;
+    counted_ = now;
+}
+
+Result<void> VulkanRenderer::render(std::uint32_t begin, std::uint32_t end,
+                                    RenderCounters& counters, const std::atomic<bool>& cancel) {
+    HM_CHECK(film_ != nullptr, "samples {} to {} before begin", begin, end);
+    BatchCutter cutter(film_->crop.height(), begin, end);
+    std::size_t turn = 0;
+    for (; !cancel.load(std::memory_order_relaxed); ++turn) {
+        // The older of the two submissions tells how long the next may be.
+        HM_TRY(finish(slots_[turn % 2], counters));
+        const std::optional<Batch> batch = cutter.next(sizer_);
+        if (!batch) break;
+        HM_TRY(submit(slots_[turn % 2], *batch));
+    }
+    HM_TRY(finish(slots_[turn % 2], counters));
+    return finish(slots_[(turn + 1) % 2], counters);
+}
+
+Result<void> VulkanRenderer::sync() {
+    HM_CHECK(film_ != nullptr, "sync before begin");
+    HM_TRY(context_.device().wait_idle());
+    rhi::Device& device = context_.device();
+    const std::size_t count = film_->sums.size();
+    HM_TRY_ASSIGN(const std::vector<vec4> sums, download_sums<vec4>(device, accumulation_, count));
+    std::vector<float> removed;
+    if (clamps_) {
+        HM_TRY_ASSIGN(removed, download_sums<float>(device, removed_, count));
+    }
+    const std::uint32_t width = film_->crop.width();
+    for (std::size_t i = 0; i < count; ++i) {
+        PixelSum& sum = film_->sums[i];
+        sum.radiance = vec3(sums[i]);
+        sum.alpha = sums[i].w;
+        sum.weight += float(added_[i / width]);
+        if (clamps_) sum.removed = removed[i];
+    }
+    added_.assign(added_.size(), 0);
+    return {};
+}
+
+}  // namespace hm

@@ -1,0 +1,66 @@
+// The GPU renderer: the shared path-tracing stages as a Vulkan ray-tracing pipeline.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "film/renderer.h"
+#include "gpu/batches.h"
+#include "gpu/context.h"
+#include "gpu/scene.h"
+#include "rhi/query.h"
+
+namespace hm {
+
+class VulkanRenderer : public Renderer {
+  public:
+    // Uploads the scene and builds its acceleration structures. The context must outlive the
+    // renderer; `scene` is not used afterwards.
+    static Result<std::unique_ptr<VulkanRenderer>> create(GpuContext& context,
+                                                          const FlatScene& scene);
+    ~VulkanRenderer() override;
+
+    std::string device() const override;
+    Result<void> begin(const RenderJob& job, Film& film) override;
+    // Submissions take about kBatchMilliseconds; `cancel` is looked at between them.
+    Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
+                        const std::atomic<bool>& cancel) override;
+    Result<void> sync() override;
+
+    const GpuSceneReport& scene_report() const { return scene_->report(); }
+
+  private:
+    // A submission that may be under way while the other is recorded.
+    struct Slot {
+        rhi::Commands commands;
+        rhi::Timestamps timestamps;
+        rhi::Buffer counters;  // a copy of the device's, after the submission
+        rhi::Ticket ticket = 0;
+        Batch batch{};
+        bool busy = false;
+    };
+
+    explicit VulkanRenderer(GpuContext& context) : context_(context) {}
+    Result<void> make_slots();
+    Result<void> make_targets();
+    Result<void> submit(Slot& slot, const Batch& batch);
+    Result<void> finish(Slot& slot, RenderCounters& counters);
+    void count(const Slot& slot, RenderCounters& counters);
+
+    GpuContext& context_;
+    std::unique_ptr<GpuScene> scene_;
+    const PathTracingPass* pass_ = nullptr;
+    std::array<Slot, 2> slots_;
+    rhi::Buffer counters_;
+    TraceCounters counted_{};  // what `counters_` had come to, modulo 2^32
+
+    Film* film_ = nullptr;
+    bool clamps_ = false;
+    rhi::Image accumulation_;
+    rhi::Image removed_;
+    BatchSizer sizer_;
+    std::vector<std::uint32_t> added_;  // samples per row of the film since the last sync
+};
+
+}  // namespace hm

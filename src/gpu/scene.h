@@ -1,0 +1,65 @@
+// A scene in device memory: its tables (set 0), textures (set 1) and acceleration structures.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gpu/geometry.h"
+#include "gpu/layouts.h"
+#include "gpu/structures.h"
+#include "gpu/textures.h"
+
+namespace hm {
+
+struct GpuSceneReport {
+    std::uint64_t geometry_bytes = 0;
+    std::uint64_t texture_bytes = 0;
+    std::uint64_t table_bytes = 0;
+    std::uint64_t structure_bytes = 0;
+    std::uint64_t degenerate_triangles = 0;
+    std::uint32_t instances = 0;  // in the acceleration structure
+    std::uint32_t duplicate_instances = 0;
+    double upload_seconds = 0;  // of all but the structures
+    double build_seconds = 0;   // of the structures, compaction included
+    rhi::BuildReport build;
+};
+
+class GpuScene {
+  public:
+    // A scene that does not fit the device is an error that says how much it needs. `scene` is not
+    // used afterwards.
+    static Result<std::unique_ptr<GpuScene>> create(rhi::Device& device,
+                                                    const SceneLayouts& layouts,
+                                                    const FlatScene& scene);
+
+    // What the next launches read; none may be running.
+    Result<void> set_frame(const RenderParams& params, const CameraData& camera,
+                           std::span<const float> filter_table);
+
+    const rhi::DescriptorSet& scene_set() const { return set_; }
+    const rhi::DescriptorSet& texture_set() const { return textures_.set(); }
+    const rhi::Buffer& sobol_directions() const { return sobol_directions_; }
+    const GpuSceneReport& report() const { return report_; }
+
+  private:
+    GpuScene(rhi::Device& device, rhi::Uploader uploader);
+    Result<void> upload_tables(const FlatScene& scene, rhi::DescriptorWrites& writes);
+    Result<void> upload_constants(rhi::DescriptorWrites& writes);
+    Result<void> add_table(rhi::DescriptorWrites& writes, SceneBinding binding, const char* name,
+                           std::span<const std::byte> bytes);
+
+    rhi::Device& device_;
+    rhi::Uploader uploader_;
+    EnvironmentData environment_{};
+    GpuGeometry geometry_;
+    GpuTextures textures_;
+    SceneStructures structures_;
+    std::array<rhi::Buffer, std::size_t(SceneBinding::count)> tables_;
+    rhi::Buffer sobol_directions_;
+    rhi::DescriptorSet set_;
+    GpuSceneReport report_;
+};
+
+}  // namespace hm

@@ -1,0 +1,78 @@
+#include "gpu/textures.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace hm {
+namespace {
+
+rhi::Format format_of(const ImageView& image) {
+    return image.format == std::uint32_t(PixelFormat::rgba8) ? rhi::Format::rgba8
+                                                             : rhi::Format::rgba16;
+}
+
+std::uint64_t bytes_of(const ImageView& image) {
+    return std::uint64_t(image.width) * image.height * bytes_per_pixel(PixelFormat(image.format));
+}
+
+// Which images the materials' textures read.
+std::vector<bool> used_images(const FlatScene& scene) {
+    std::vector<bool> used(scene.images.size(), false);
+    for (const MaterialData& m : scene.materials)
+        for (const std::uint32_t use : {m.base_color_texture, m.emissive_texture,
+                                        m.metallic_roughness_texture, m.normal_texture})
+            used[scene.texture_uses[use].image] = true;
+    return used;
+}
+
+Result<rhi::Image> upload_image(rhi::Device& device, rhi::Uploader& uploader, const ImageView& view,
+                                std::size_t index) {
+    const std::string name = "image " + std::to_string(index);
+    if (std::max(view.width, view.height) > device.limits().max_image_side)
+        return fail(ExitCode::unsupported, "", "",
+                    name + " is " + std::to_string(view.width) + " x " +
+                        std::to_string(view.height) + ", " + device.physical().name +
+                        " takes up to " + std::to_string(device.limits().max_image_side));
+    HM_TRY_ASSIGN(rhi::Image image,
+                  rhi::Image::create(device, {name, format_of(view), view.width, view.height}));
+    const auto* bytes = static_cast<const std::byte*>(view.pixels);
+    HM_TRY(uploader.image(image, 0, {bytes, bytes_of(view)}));
+    return image;
+}
+
+}  // namespace
+
+std::uint64_t texture_bytes(const FlatScene& scene) {
+    const std::vector<bool> used = used_images(scene);
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) sum += bytes_of(scene.images[i]);
+    return sum;
+}
+
+Result<GpuTextures> GpuTextures::upload(rhi::Device& device, rhi::Uploader& uploader,
+                                        const rhi::SetLayout& layout, const FlatScene& scene) {
+    const std::uint32_t room = layout.bindings()[0].count;
+    if (scene.images.size() > room)
+        return fail(ExitCode::unsupported, "", "",
+                    "the scene has " + std::to_string(scene.images.size()) + " images, " +
+                        device.physical().name + " takes " + std::to_string(room));
+    GpuTextures out;
+    // Shaders fetch texels and filter themselves; a table of images wants a sampler nevertheless.
+    HM_TRY_ASSIGN(out.sampler_, rhi::Sampler::create(device, {"texel"}));
+    HM_TRY_ASSIGN(out.set_, rhi::DescriptorSet::create(device, "textures", layout));
+    const std::vector<bool> used = used_images(scene);
+    out.images_.resize(scene.images.size());
+    rhi::DescriptorWrites writes(layout);
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (!used[i]) continue;
+        HM_TRY_ASSIGN(out.images_[i], upload_image(device, uploader, scene.images[i], i));
+        writes.texture(0, out.images_[i], out.sampler_, std::uint32_t(i));
+    }
+    out.set_.update(writes);
+    return out;
+}
+
+}  // namespace hm
