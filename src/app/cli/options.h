@@ -25,6 +25,12 @@ struct FrameRange {
     std::uint32_t first = 0, last = 0;  // both are drawn
 };
 
+struct DeviceFlag {
+    enum class Kind { automatic, cpu, vulkan };
+    Kind kind = Kind::automatic;
+    std::optional<std::uint32_t> index;  // of vulkan:N
+};
+
 struct ViewOptions {
     std::string camera;  // name or index; empty: the file's first
     std::optional<vec3> eye, target, up;
@@ -50,6 +56,7 @@ struct RenderOptions {
     PixelFilter filter = PixelFilter::blackman_harris;
     std::optional<float> filter_width;  // pixels
     std::uint32_t threads = 0;          // 0: all
+    DeviceFlag device;
 
     ViewOptions view;
 

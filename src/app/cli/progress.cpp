@@ -46,20 +46,23 @@ Progress::Progress(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO
 
 void Progress::line(std::string_view text) {
     if (quiet_) return;
-    finish();
+    erase_bar();
     fmt::print(stderr, "himalaya: {}\n", printable(text));
     std::fflush(stderr);
 }
 
 void Progress::note(std::string_view text) {
+    const std::lock_guard lock(mutex_);
     line(text);
 }
 
 void Progress::warning(std::string_view text) {
+    const std::lock_guard lock(mutex_);
     line(fmt::format("warning: {}", text));
 }
 
 void Progress::update(const ProgressState& state) {
+    const std::lock_guard lock(mutex_);
     if (quiet_) return;
     ProgressState s = state;
     s.fraction = std::clamp(s.fraction, 0.0, 1.0);
@@ -75,6 +78,11 @@ void Progress::update(const ProgressState& state) {
 }
 
 void Progress::finish() {
+    const std::lock_guard lock(mutex_);
+    erase_bar();
+}
+
+void Progress::erase_bar() {
     if (!bar_shown_) return;
     fmt::print(stderr, "\r\x1b[K");
     std::fflush(stderr);

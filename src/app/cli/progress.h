@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <mutex>
 #include <string_view>
 
 namespace hm::cli {
@@ -20,8 +21,8 @@ struct ProgressState {
     double seconds = 0;  // of rendering
 };
 
-// A live bar on a terminal, else a line every few seconds. Lines are made printable. Not for
-// several threads at once.
+// A live bar on a terminal, else a line every few seconds. Lines are made printable. Any thread may
+// call at any time.
 class Progress {
   public:
     explicit Progress(bool quiet);
@@ -33,7 +34,9 @@ class Progress {
 
   private:
     void line(std::string_view text);
+    void erase_bar();
 
+    std::mutex mutex_;
     bool quiet_;
     bool terminal_;
     bool bar_shown_ = false;

@@ -1,19 +1,22 @@
-// The way a picture travels: load, flatten, build the BVH, render in passes, resolve, write.
+// The way a picture travels: load, flatten, put it on a device, render in passes, resolve, write.
 #include "app/cli/render.h"
 
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 
 #include <cstdio>
+#include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
+#include "app/cli/devices.h"
 #include "app/cli/frames.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/passes.h"
 #include "app/cli/report.h"
 #include "app/cli/setup.h"
-#include "cpu/render.h"
+#include "app/cli/vulkan_devices.h"
 #include "film/write.h"
 #include "gltf/load.h"
 
@@ -57,6 +60,7 @@ void note_defaults(Progress& progress, const RenderSummary& summary) {
 
 // What the frames of a sequence share.
 struct Shared {
+    std::unique_ptr<Device> device;
     Scene scene;
     double load_seconds = 0;  // told with the first picture
     std::optional<EnvironmentChoice> environment{};
@@ -102,7 +106,7 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
     if (is_first) note_defaults(progress, summary);
 
     start = Clock::now();
-    CpuRenderer renderer(flat, options.threads);
+    HM_TRY_ASSIGN(const std::unique_ptr<Renderer> renderer, shared.device->load(flat));
     summary.times.prepare = seconds_since(start);
 
     Film film(options.crop.value_or(PixelRect{0, 0, options.width, options.height}));
@@ -110,11 +114,11 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
     const RenderJob job{camera.data, make_params(options, flat), make_filter_table(options.filter)};
     HM_TRY_ASSIGN(
         const PassResult passes,
-        render_passes(renderer, job, film, counters,
+        render_passes(*renderer, job, film, counters,
                       PassPlan{.samples = options.samples, .time = options.time}, interrupted,
                       [&](const ProgressState& state) { progress.update(state); }));
     progress.finish();
-    summary.renderer = renderer.report();
+    summary.renderer = renderer->report();
     summary.times.render = passes.seconds;
     summary.interrupted = passes.interrupted;
     fill_results(summary, film, counters);
@@ -138,9 +142,12 @@ Result<ExitCode> render(const RenderOptions& options) {
         limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
     Progress progress(options.quiet);
     Diagnostics diagnostics;
+    HM_TRY_ASSIGN(std::unique_ptr<Device> device,
+                  choose_device(options.device, options.threads, open_vulkan_device,
+                                [&](std::string_view line) { progress.note(line); }));
     const Clock::time_point start = Clock::now();
     HM_TRY_ASSIGN(Scene scene, load_gltf(options.scene_file, diagnostics, options.load));
-    Shared shared{std::move(scene), seconds_since(start)};
+    Shared shared{std::move(device), std::move(scene), seconds_since(start)};
     catch_interrupts();
     ExitCode code = ExitCode::ok;
     const FrameRange range = options.frames.value_or(FrameRange{});

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/devices.h"
 #include "app/cli/frames.h"
 #include "app/cli/load_flags.h"
 #include "app/cli/values.h"
@@ -104,14 +105,9 @@ void add_sampling(CLI::App& app, RenderOptions& o) {
         "The filter's full width in pixels (box 1, gaussian 2, blackman-harris 3)");
     add(app, "--threads", "N", o.threads, integer(0, 1024),
         "Threads; 0: all cores (the default). The picture is the same for any number");
-    app.add_option_function<std::string>(
-           "--device",
-           [](const std::string& text) {
-               if (text != "cpu")
-                   throw CLI::ValidationError("--device", "\"" + text + "\" is not cpu");
-           },
-           "What renders: cpu")
-        ->type_name("NAME");
+    add(app, "--device", "NAME", o.device, parse_device,
+        "What draws: cpu, vulkan (the best GPU), vulkan:N (the device that `himalaya doctor` lists "
+        "as N), or auto (the default): the best GPU, the CPU where there is none");
 }
 
 void add_view(CLI::App& app, ViewOptions& v) {

@@ -1,0 +1,81 @@
+#include "app/cli/fallback.h"
+
+#include <utility>
+
+#include "base/check.h"
+
+namespace hm::cli {
+
+bool is_device_trouble(const Error& error) {
+    return error.code == ExitCode::no_device || error.code == ExitCode::device_failed;
+}
+
+FallbackRenderer::FallbackRenderer(std::unique_ptr<Renderer> first, Replace replace)
+    : current_(std::move(first)), replace_(std::move(replace)) {}
+
+Result<void> FallbackRenderer::begin(const RenderJob& job, Film& film) {
+    job_ = job;
+    film_ = &film;
+    counters_ = nullptr;
+    cancel_ = nullptr;
+    since_sync_.clear();
+    film_holds_samples_ = false;
+    before_.clear();
+    Result<void> begun = current_->begin(job, film);
+    return begun ? begun : take_over(begun.error());
+}
+
+Result<void> FallbackRenderer::render(std::uint32_t begin, std::uint32_t end,
+                                      RenderCounters& counters, const std::atomic<bool>& cancel) {
+    HM_CHECK(film_ != nullptr, "samples {} to {} before begin", begin, end);
+    const bool is_first = counters_ != &counters;
+    counters_ = &counters;
+    cancel_ = &cancel;
+    if (is_first) remember();
+    if (replace_) since_sync_.push_back({begin, end});
+    Result<void> drawn = current_->render(begin, end, counters, cancel);
+    return drawn ? drawn : take_over(drawn.error());
+}
+
+Result<void> FallbackRenderer::sync() {
+    Result<void> synced = current_->sync();
+    if (!synced) {
+        HM_TRY(take_over(synced.error()));
+        HM_TRY(current_->sync());
+    }
+    film_holds_samples_ = film_holds_samples_ || !since_sync_.empty();
+    since_sync_.clear();
+    remember();
+    return {};
+}
+
+RendererReport FallbackRenderer::report() const {
+    RendererReport report = current_->report();
+    if (!before_.empty()) report.device = before_ + ", then " + report.device;
+    return report;
+}
+
+void FallbackRenderer::remember() {
+    if (counters_ == nullptr) return;
+    counted_ = {counters_->samples.load(), counters_->rays.load(), counters_->non_finite.load()};
+}
+
+// The film is as the last sync left it; everything since then is drawn again. Not after a cancel:
+// then nobody waits for it, and an empty picture would pass for a drawn one.
+Result<void> FallbackRenderer::take_over(const Error& error) {
+    const bool is_cancelled = cancel_ != nullptr && cancel_->load();
+    if (!replace_ || !is_device_trouble(error) || is_cancelled) return tl::unexpected(error);
+    if (film_holds_samples_) before_ = current_->report().device;
+    HM_TRY_ASSIGN(current_, std::exchange(replace_, nullptr)(error));
+    HM_TRY(current_->begin(job_, *film_));
+    if (counters_ != nullptr) {
+        counters_->samples = counted_.samples;
+        counters_->rays = counted_.rays;
+        counters_->non_finite = counted_.non_finite;
+    }
+    for (const Samples& s : since_sync_)
+        HM_TRY(current_->render(s.begin, s.end, *counters_, *cancel_));
+    return {};
+}
+
+}  // namespace hm::cli

@@ -1,0 +1,33 @@
+// The program's only door to the Vulkan renderer: vulkan_devices.cpp stands behind it, or
+// without_vulkan.cpp in a build that leaves the renderer out.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/devices.h"
+#include "rhi/capabilities.h"
+
+namespace hm::cli {
+
+bool built_with_vulkan();
+
+struct VulkanDevice {
+    std::uint32_t index = 0;  // N of vulkan:N
+    std::string name, kind;   // "NVIDIA H200", "discrete GPU"
+    std::string driver, api_version;
+    bool is_software = false;  // runs on the CPU
+    std::uint64_t memory_bytes = 0;
+    std::vector<rhi::Capability> capabilities;
+};
+
+// In the order of their indices. Fails with ExitCode::no_device where no loader or driver answers.
+Result<std::vector<VulkanDevice>> list_vulkan_devices();
+
+// The best GPU, or the device of this index, which may be software.
+Result<std::unique_ptr<Device>> open_vulkan_device(std::optional<std::uint32_t> index);
+
+}  // namespace hm::cli
