@@ -28,7 +28,7 @@ const std::map<std::string, Names> kMayInclude = {
     {"rhi", {"base"}},
     {"graph", {"base", "rhi"}},
     {"gpu", {"base", "shading", "image", "scene", "film", "rhi", "graph"}},
-    {"app", {"base", "shading", "image", "scene", "gltf", "bvh", "film", "cpu"}},
+    {"app", {"base", "shading", "image", "scene", "gltf", "bvh", "film", "cpu", "rhi", "gpu"}},
 };
 
 // Outside libraries that one room alone knows, by the first part of the include's path.
