@@ -57,4 +57,13 @@ std::string printable(std::string_view text) {
     return out;
 }
 
+std::string joined(const std::vector<std::string>& parts, std::string_view separator) {
+    std::string text;
+    for (const std::string& part : parts) {
+        if (!text.empty()) text += separator;
+        text += part;
+    }
+    return text;
+}
+
 }  // namespace hm

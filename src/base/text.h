@@ -1,12 +1,16 @@
-// Text from files before it reaches a terminal.
+// Text for people.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hm {
 
 // Control characters (C0, DEL, C1) and bytes that are not UTF-8 become \xNN.
 std::string printable(std::string_view text);
+
+// "a, b, c" with ", " as separator.
+std::string joined(const std::vector<std::string>& parts, std::string_view separator);
 
 }  // namespace hm

@@ -11,16 +11,21 @@
 
 namespace hm::rhi {
 
+inline constexpr const char* kVulkan13 = "Vulkan 1.3";
+inline constexpr const char* kComputeQueue = "a queue that computes";
+inline constexpr const char* kTimestamps = "timestamps";
+
 // What a device says of itself, by Vulkan's own names.
 struct Offer {
     std::uint32_t api_version = 0;     // VK_MAKE_API_VERSION's encoding
     std::set<std::string> extensions;  // "VK_KHR_ray_tracing_pipeline"
-    std::set<std::string> features;    // "scalarBlockLayout"; only those that judge() asks for
-    std::set<std::string> limits;      // "maxPushConstantsSize >= 128"; those that are met
+    std::set<std::string> features;    // "scalarBlockLayout"
+    bool computes = false;             // it has a queue for that
+    bool timestamps = false;           // on that queue
 };
 
 struct Capability {
-    std::string name;     // an extension, a feature, a limit, or "Vulkan 1.3"
+    std::string name;     // an extension, a feature, or one of those above
     std::string purpose;  // what for, in a few words
     bool required = true;
     bool present = false;

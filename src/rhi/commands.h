@@ -9,9 +9,11 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "base/result.h"
+#include "rhi/barrier.h"
 #include "rhi/buffer.h"
 #include "rhi/descriptors.h"
 #include "rhi/device.h"
@@ -23,11 +25,25 @@ class ComputePipeline;
 class PipelineLayout;
 class RayTracingPipeline;
 
-// One command buffer with a pool of its own. Begins recording; submit() ends it. Destroyed only
-// after its ticket was reached; begin_again() records anew in the same memory.
+// Some rows of one level of an image that is `width` texels wide there.
+struct ImageRows {
+    std::uint32_t level = 0;
+    std::uint32_t begin = 0;
+    std::uint32_t count = 0;
+    std::uint32_t width = 0;
+};
+
+// One command buffer with a pool of its own. Begins recording; Device::submit ends it. Once that
+// ticket is reached, begin_again() records anew in the same memory. The destructor waits for it.
 class Commands {
   public:
     Commands() = default;
+    Commands(Commands&& other) noexcept { swap(other); }
+    Commands& operator=(Commands&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+    ~Commands();
     static Result<Commands> begin(Device& device, std::string_view name);
     Result<void> begin_again();
 
@@ -35,15 +51,19 @@ class Commands {
               std::uint64_t to_offset = 0, std::uint64_t size = VK_WHOLE_SIZE);
     // Tightly packed rows of level 0; the image is in layout transfer_source or general.
     void copy(const Image& from, ImageLayout layout, const Buffer& to, std::uint64_t to_offset = 0);
+    // Rows of one level, tightly packed. All of the level becomes layout transfer_target at its
+    // first piece, losing its contents, and shader_read after its last.
+    void copy(const Buffer& from, std::uint64_t from_offset, const Image& to, const ImageRows& rows,
+              bool first, bool last);
     void fill(const Buffer& buffer, std::uint32_t value);  // every four bytes
     // The image is in layout transfer_target or general.
     void clear(const Image& image, ImageLayout layout, float value);
 
+    void barriers(std::span<const Barrier> barriers);
     // Everything before happens before everything after, memory included. For the odd copy; passes
     // get theirs from the render graph.
     void full_barrier();
-    void barrier(const VkDependencyInfo& dependency);
-    // From undefined, losing its contents, or from another layout; waits for everything before.
+    // The same for one image, whose layout changes; from undefined it loses its contents.
     void transition(const Image& image, ImageLayout from, ImageLayout to);
 
     void bind(const ComputePipeline& pipeline);
@@ -65,15 +85,20 @@ class Commands {
     void begin_label(std::string_view name);
     void end_label();
 
+    const std::string& name() const { return name_; }
     VkCommandBuffer handle() const { return handle_; }
 
   private:
     friend class Device;
+    void swap(Commands& other) noexcept;
+    Result<void> start();
     Result<void> end();
 
     Device* device_ = nullptr;
+    std::string name_;
     Handle<VkCommandPool, &vkDestroyCommandPool> pool_;
     VkCommandBuffer handle_ = VK_NULL_HANDLE;
+    Ticket ticket_ = 0;  // of its last submission
     VkPipelineBindPoint bind_point_ = VK_PIPELINE_BIND_POINT_COMPUTE;
 };
 

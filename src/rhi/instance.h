@@ -21,8 +21,7 @@ struct InstanceOptions {
     static bool validation_wanted();
 };
 
-// Shared by the devices made from it. The process keeps one loader: a second instance that names
-// another fails.
+// Shared by the devices made from it. volk's functions are those of the last loader opened.
 class Instance {
   public:
     // Fails with ExitCode::no_device where there is no loader or no driver.
@@ -35,7 +34,9 @@ class Instance {
     Result<std::vector<PhysicalDevice>> devices() const;
 
     bool validates() const { return messenger_ != VK_NULL_HANDLE; }
-    Messages& messages() { return *messages_; }
+    bool names_objects() const { return names_objects_; }
+    // What the validation layer said; empty without one.
+    Messages& messages() { return messages_; }
     VkInstance handle() const { return instance_; }
 
   private:
@@ -43,7 +44,8 @@ class Instance {
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
-    std::unique_ptr<Messages> messages_ = std::make_unique<Messages>();
+    bool names_objects_ = false;
+    Messages messages_;
 };
 
 }  // namespace hm::rhi

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -21,13 +21,16 @@ enum class DeviceKind { discrete, integrated, virtual_gpu, cpu, other };
 struct Limits {
     std::uint32_t max_textures = 0;  // sampled images in one bindless table
     std::uint32_t max_recursion_depth = 0;
-    std::uint64_t max_instances = 0;       // of a top-level acceleration structure
-    std::uint64_t max_geometries = 0;      // of a bottom-level one
-    std::uint64_t max_triangles = 0;       // of a bottom-level one, over its geometries
-    std::uint64_t max_storage_buffer = 0;  // bytes that one binding can see
+    std::uint64_t max_instances = 0;   // of a top-level acceleration structure
+    std::uint64_t max_geometries = 0;  // of a bottom-level one
+    std::uint64_t max_triangles = 0;   // of a bottom-level one, over its geometries
+    std::uint64_t max_buffer_bytes = 0;
+    std::uint64_t max_storage_buffer_bytes = 0;  // that one binding can see
     std::uint32_t max_image_side = 0;
-    std::uint32_t max_dispatch_rays = 0;  // width * height of one trace_rays
-    double timestamp_period_ns = 0;       // 0: no timestamps
+    std::uint32_t max_rays_per_trace = 0;  // width * height * depth of trace_rays
+    std::uint32_t max_push_constant_bytes = 0;
+    bool reorders_rays = false;      // VK_NV_ray_tracing_invocation_reorder really does
+    double timestamp_period_ns = 0;  // 0: no timestamps
 };
 
 struct PhysicalDevice {
@@ -47,8 +50,16 @@ struct PhysicalDevice {
 
     // Whether it has all that is required, and an optional capability by its name.
     bool usable() const { return missing(capabilities).empty(); }
-    bool has(const std::string& capability) const;
+    bool has(std::string_view capability) const;
 };
+
+// For Instance::devices.
+Result<PhysicalDevice> describe(VkPhysicalDevice handle, std::uint32_t index);
+
+// Said where the loader knows no driver.
+inline constexpr const char* kNoDevices =
+    "the loader finds no device; install the graphics card's Vulkan driver, or name its manifest "
+    "in VK_DRIVER_FILES";
 
 // "discrete GPU", "CPU", ...
 std::string kind_name(DeviceKind kind);

@@ -29,7 +29,7 @@ class PipelineLayout {
     VkPipelineLayout handle() const { return handle_.get(); }
 
   private:
-    Handle<VkDescriptorSetLayout, &vkDestroyDescriptorSetLayout> empty_;
+    SetLayout empty_;
     Handle<VkPipelineLayout, &vkDestroyPipelineLayout> handle_;
 };
 

@@ -1,6 +1,7 @@
 // Compiled pipelines kept between runs: a file per device and driver under the user's cache folder.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -30,6 +31,7 @@ class PipelineCache {
     Device* device_ = nullptr;
     std::filesystem::path file_;
     std::size_t loaded_bytes_ = 0;
+    std::uint64_t saved_hash_ = 0;  // of what the file holds
     Handle<VkPipelineCache, &vkDestroyPipelineCache> handle_;
 };
 

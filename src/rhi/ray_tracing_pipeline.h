@@ -42,6 +42,8 @@ class RayTracingPipeline {
     const std::array<VkStridedDeviceAddressRegionKHR, 4>& regions() const { return regions_; }
 
   private:
+    Result<void> make_table(Device& device, const RayTracingPipelineInfo& info);
+
     Handle<VkPipeline, &vkDestroyPipeline> handle_;
     Buffer table_;
     std::array<VkStridedDeviceAddressRegionKHR, 4> regions_{};

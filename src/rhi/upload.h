@@ -40,9 +40,9 @@ class Uploader {
         Ticket ticket = 0;
         std::uint64_t filled = 0;
     };
-    // Room in the current half for between `at_least` and `at_most` bytes.
-    Result<std::span<std::byte>> reserve(std::uint64_t at_least, std::uint64_t at_most,
-                                         std::uint64_t alignment);
+    // Room in the current half, the next one if need be.
+    Result<std::span<std::byte>> reserve(std::uint64_t at_least, std::uint64_t at_most);
+    std::uint64_t offset_of(std::span<const std::byte> piece) const;  // in the current half
     Result<void> flush();
 
     Device* device_ = nullptr;

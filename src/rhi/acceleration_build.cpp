@@ -1,0 +1,339 @@
+#include "rhi/acceleration_build.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/check.h"
+#include "rhi/commands.h"
+#include "rhi/error.h"
+#include "rhi/query.h"
+
+namespace hm::rhi {
+
+namespace {
+
+constexpr VkBuildAccelerationStructureFlagsKHR kFastTrace =
+    VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR;
+
+// What one build is told, in the form that Vulkan wants, and what it will need.
+struct Build {
+    std::string name;
+    VkAccelerationStructureTypeKHR type = VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR;
+    VkBuildAccelerationStructureFlagsKHR flags = kFastTrace;
+    std::vector<VkAccelerationStructureGeometryKHR> geometries;
+    std::vector<VkAccelerationStructureBuildRangeInfoKHR> ranges;
+    std::uint64_t structure_bytes = 0;
+    std::uint64_t scratch_bytes = 0;  // a multiple of the scratch alignment
+
+    VkAccelerationStructureBuildGeometryInfoKHR info() const {
+        return {.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR,
+                .type = type,
+                .flags = flags,
+                .mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR,
+                .geometryCount = static_cast<std::uint32_t>(geometries.size()),
+                .pGeometries = geometries.data()};
+    }
+};
+
+std::uint64_t scratch_alignment(const Device& device) {
+    return std::max(1u,
+                    device.acceleration_limits().minAccelerationStructureScratchOffsetAlignment);
+}
+
+void ask_sizes(const Device& device, Build& build) {
+    std::vector<std::uint32_t> counts;
+    for (const VkAccelerationStructureBuildRangeInfoKHR& range : build.ranges)
+        counts.push_back(range.primitiveCount);
+    const VkAccelerationStructureBuildGeometryInfoKHR info = build.info();
+    VkAccelerationStructureBuildSizesInfoKHR sizes{
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR};
+    vkGetAccelerationStructureBuildSizesKHR(device.handle(),
+                                            VK_ACCELERATION_STRUCTURE_BUILD_TYPE_DEVICE_KHR, &info,
+                                            counts.data(), &sizes);
+    const std::uint64_t alignment = scratch_alignment(device);
+    build.structure_bytes = sizes.accelerationStructureSize;
+    build.scratch_bytes = (sizes.buildScratchSize + alignment - 1) / alignment * alignment;
+}
+
+VkAccelerationStructureGeometryKHR describe_triangles(const TriangleGeometry& geometry) {
+    VkAccelerationStructureGeometryKHR described{
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR,
+        .geometryType = VK_GEOMETRY_TYPE_TRIANGLES_KHR,
+        .flags = geometry.opaque
+                     ? VkGeometryFlagsKHR{VK_GEOMETRY_OPAQUE_BIT_KHR}
+                     : VkGeometryFlagsKHR{VK_GEOMETRY_NO_DUPLICATE_ANY_HIT_INVOCATION_BIT_KHR}};
+    described.geometry.triangles = {
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_TRIANGLES_DATA_KHR,
+        .vertexFormat = VK_FORMAT_R32G32B32_SFLOAT,
+        .vertexData = {.deviceAddress = geometry.positions},
+        .vertexStride = geometry.position_stride,
+        .maxVertex = geometry.vertex_count > 0 ? geometry.vertex_count - 1 : 0,
+        .indexType = VK_INDEX_TYPE_UINT32,
+        .indexData = {.deviceAddress = geometry.indices}};
+    return described;
+}
+
+Result<Build> plan_blas(const Device& device, const BlasInput& input, bool compact) {
+    Build build;
+    build.name = input.name;
+    if (compact) build.flags |= VK_BUILD_ACCELERATION_STRUCTURE_ALLOW_COMPACTION_BIT_KHR;
+    std::uint64_t triangles = 0;
+    for (const TriangleGeometry& geometry : input.geometries) {
+        build.geometries.push_back(describe_triangles(geometry));
+        build.ranges.push_back({.primitiveCount = geometry.triangle_count});
+        triangles += geometry.triangle_count;
+    }
+    const Limits& limits = device.limits();
+    if (triangles > limits.max_triangles || input.geometries.size() > limits.max_geometries)
+        return fail(
+            ExitCode::device_failed, "Vulkan", input.name,
+            fmt::format("{} triangles in {} geometries; the device takes {} in {}", triangles,
+                        input.geometries.size(), limits.max_triangles, limits.max_geometries));
+    ask_sizes(device, build);
+    return build;
+}
+
+// The index behind the last of the builds from `begin` that fit into the scratch budget together.
+std::size_t end_of_batch(std::span<const Build> builds, std::size_t begin, std::uint64_t budget) {
+    std::uint64_t scratch = builds[begin].scratch_bytes;
+    std::size_t end = begin + 1;
+    while (end < builds.size() && scratch + builds[end].scratch_bytes <= budget)
+        scratch += builds[end++].scratch_bytes;
+    return end;
+}
+
+std::uint64_t scratch_of(std::span<const Build> batch) {
+    std::uint64_t bytes = 0;
+    for (const Build& build : batch)
+        bytes += build.scratch_bytes;
+    return bytes;
+}
+
+// Records all builds of a batch, each with a part of the scratch buffer to itself.
+void record_builds(Commands& commands, std::span<const Build> batch,
+                   std::span<const AccelerationStructure> targets, const Buffer& scratch) {
+    std::vector<VkAccelerationStructureBuildGeometryInfoKHR> infos;
+    std::vector<const VkAccelerationStructureBuildRangeInfoKHR*> ranges;
+    std::uint64_t address = scratch.address();
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        infos.push_back(batch[i].info());
+        infos.back().dstAccelerationStructure = targets[i].handle();
+        infos.back().scratchData.deviceAddress = address;
+        ranges.push_back(batch[i].ranges.data());
+        address += batch[i].scratch_bytes;
+    }
+    vkCmdBuildAccelerationStructuresKHR(commands.handle(), static_cast<std::uint32_t>(infos.size()),
+                                        infos.data(), ranges.data());
+}
+
+using QueryPool = Handle<VkQueryPool, &vkDestroyQueryPool>;
+
+Result<QueryPool> make_size_queries(const Device& device, std::uint32_t count) {
+    const VkQueryPoolCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+        .queryType = VK_QUERY_TYPE_ACCELERATION_STRUCTURE_COMPACTED_SIZE_KHR,
+        .queryCount = count};
+    VkQueryPool pool = VK_NULL_HANDLE;
+    HM_TRY(check(vkCreateQueryPool(device.handle(), &info, nullptr, &pool), "vkCreateQueryPool",
+                 "compacted sizes"));
+    return QueryPool(device.handle(), pool);
+}
+
+// Runs `record` between two timestamps and adds the time to the report.
+Result<void> run_timed(Device& device, std::string_view name, BuildReport& report,
+                       const std::function<void(Commands&)>& record) {
+    HM_TRY_ASSIGN(Timestamps times, Timestamps::create(device, name, 2));
+    HM_TRY(run_once(device, name, [&](Commands& commands) -> Result<void> {
+        times.reset(commands);
+        // The inputs were written by whoever.
+        commands.full_barrier();
+        times.write(commands, 0);
+        record(commands);
+        times.write(commands, 1);
+        return {};
+    }));
+    HM_TRY_ASSIGN(const std::vector<double> ms, times.milliseconds(2));
+    report.gpu_ms += ms[1];
+    return {};
+}
+
+Result<std::vector<AccelerationStructure>> build_batch(Device& device, std::span<const Build> batch,
+                                                       const Buffer& scratch, VkQueryPool sizes,
+                                                       BuildReport& report) {
+    std::vector<AccelerationStructure> built;
+    std::vector<VkAccelerationStructureKHR> handles;
+    for (const Build& build : batch) {
+        HM_TRY_ASSIGN(
+            AccelerationStructure structure,
+            AccelerationStructure::allocate(device, build.name, build.type, build.structure_bytes));
+        report.built_bytes += structure.bytes();
+        handles.push_back(structure.handle());
+        built.push_back(std::move(structure));
+    }
+    const auto count = static_cast<std::uint32_t>(batch.size());
+    HM_TRY(run_timed(device, "build acceleration structures", report, [&](Commands& commands) {
+        record_builds(commands, batch, built, scratch);
+        if (sizes == VK_NULL_HANDLE) return;
+        vkCmdResetQueryPool(commands.handle(), sizes, 0, count);
+        commands.full_barrier();
+        vkCmdWriteAccelerationStructuresPropertiesKHR(
+            commands.handle(), count, handles.data(),
+            VK_QUERY_TYPE_ACCELERATION_STRUCTURE_COMPACTED_SIZE_KHR, sizes, 0);
+    }));
+    ++report.batches;
+    return built;
+}
+
+// Copies each structure to one of the size that it needs.
+Result<std::vector<AccelerationStructure>> compact_batch(
+    Device& device, std::span<const Build> batch, std::span<const AccelerationStructure> built,
+    VkQueryPool queries, BuildReport& report) {
+    std::vector<std::uint64_t> sizes(batch.size());
+    HM_TRY(check(vkGetQueryPoolResults(
+                     device.handle(), queries, 0, static_cast<std::uint32_t>(sizes.size()),
+                     sizes.size() * sizeof(std::uint64_t), sizes.data(), sizeof(std::uint64_t),
+                     VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+                 "vkGetQueryPoolResults", "compacted sizes"));
+    std::vector<AccelerationStructure> compacted;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        HM_TRY_ASSIGN(
+            AccelerationStructure structure,
+            AccelerationStructure::allocate(device, batch[i].name, batch[i].type, sizes[i]));
+        compacted.push_back(std::move(structure));
+    }
+    HM_TRY(run_timed(device, "compact acceleration structures", report, [&](Commands& commands) {
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            const VkCopyAccelerationStructureInfoKHR copy{
+                .sType = VK_STRUCTURE_TYPE_COPY_ACCELERATION_STRUCTURE_INFO_KHR,
+                .src = built[i].handle(),
+                .dst = compacted[i].handle(),
+                .mode = VK_COPY_ACCELERATION_STRUCTURE_MODE_COMPACT_KHR};
+            vkCmdCopyAccelerationStructureKHR(commands.handle(), &copy);
+        }
+    }));
+    return compacted;
+}
+
+Result<Buffer> make_scratch(Device& device, std::uint64_t bytes) {
+    return Buffer::create(device, {.name = "acceleration structure scratch",
+                                   .size = std::max<std::uint64_t>(bytes, 1),
+                                   .use = BufferUse::storage,
+                                   .alignment = scratch_alignment(device)});
+}
+
+}  // namespace
+
+void BuildReport::add(const BuildReport& other) {
+    structures += other.structures;
+    batches += other.batches;
+    built_bytes += other.built_bytes;
+    kept_bytes += other.kept_bytes;
+    scratch_bytes = std::max(scratch_bytes, other.scratch_bytes);
+    gpu_ms += other.gpu_ms;
+}
+
+Result<std::vector<AccelerationStructure>> build_blas(Device& device,
+                                                      std::span<const BlasInput> inputs,
+                                                      const BuildOptions& options,
+                                                      BuildReport& report) {
+    std::vector<AccelerationStructure> all;
+    if (inputs.empty()) return all;
+    std::vector<Build> builds;
+    for (const BlasInput& input : inputs) {
+        HM_TRY_ASSIGN(Build build, plan_blas(device, input, options.compact));
+        builds.push_back(std::move(build));
+    }
+    std::vector<std::span<const Build>> batches;
+    std::uint64_t scratch_bytes = 0;
+    std::size_t largest = 0;
+    for (std::size_t begin = 0; begin < builds.size();) {
+        const std::size_t end = end_of_batch(builds, begin, options.scratch_budget_bytes);
+        batches.push_back(std::span<const Build>(builds).subspan(begin, end - begin));
+        scratch_bytes = std::max(scratch_bytes, scratch_of(batches.back()));
+        largest = std::max(largest, end - begin);
+        begin = end;
+    }
+    HM_TRY_ASSIGN(const Buffer scratch, make_scratch(device, scratch_bytes));
+    report.scratch_bytes = std::max(report.scratch_bytes, scratch.size());
+    QueryPool sizes;
+    if (options.compact) {
+        HM_TRY_ASSIGN(sizes, make_size_queries(device, static_cast<std::uint32_t>(largest)));
+    }
+    // A batch is compacted before the next is built: only one is ever there in full size.
+    for (const std::span<const Build> batch : batches) {
+        HM_TRY_ASSIGN(std::vector<AccelerationStructure> done,
+                      build_batch(device, batch, scratch, sizes.get(), report));
+        if (options.compact) {
+            HM_TRY_ASSIGN(done, compact_batch(device, batch, done, sizes.get(), report));
+        }
+        for (AccelerationStructure& structure : done) {
+            report.kept_bytes += structure.bytes();
+            ++report.structures;
+            all.push_back(std::move(structure));
+        }
+    }
+    return all;
+}
+
+namespace {
+
+Result<Buffer> upload_instances(Device& device, const std::string& name,
+                                std::span<const TlasInstance> instances) {
+    // The build reads it once; the device's own memory would gain nothing.
+    HM_TRY_ASSIGN(Buffer buffer,
+                  Buffer::create(device, {.name = name + ": instances",
+                                          .size = std::max<std::uint64_t>(instances.size(), 1) *
+                                                  sizeof(VkAccelerationStructureInstanceKHR),
+                                          .use = BufferUse::build_input,
+                                          .memory = MemoryKind::upload,
+                                          .alignment = 16}));
+    std::byte* target = buffer.mapped().data();
+    for (const TlasInstance& instance : instances) {
+        HM_CHECK(instance.custom_index < (1u << 24), "custom index {}", instance.custom_index);
+        VkAccelerationStructureInstanceKHR record{};
+        static_assert(sizeof(record.transform) == sizeof(instance.transform));
+        std::memcpy(&record.transform, instance.transform.data(), sizeof(record.transform));
+        record.instanceCustomIndex = instance.custom_index & 0xffffffu;
+        record.mask = instance.mask;
+        record.flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR;
+        record.accelerationStructureReference = instance.blas;
+        std::memcpy(target, &record, sizeof(record));
+        target += sizeof(record);
+    }
+    return buffer;
+}
+
+}  // namespace
+
+Result<AccelerationStructure> build_tlas(Device& device, const std::string& name,
+                                         std::span<const TlasInstance> instances,
+                                         BuildReport& report) {
+    if (instances.size() > device.limits().max_instances)
+        return fail(ExitCode::device_failed, "Vulkan", name,
+                    fmt::format("{} instances; the device takes {}", instances.size(),
+                                device.limits().max_instances));
+    HM_TRY_ASSIGN(const Buffer buffer, upload_instances(device, name, instances));
+    Build build;
+    build.name = name;
+    build.type = VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR;
+    VkAccelerationStructureGeometryKHR geometry{
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR,
+        .geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR};
+    geometry.geometry.instances = {
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR,
+        .data = {.deviceAddress = buffer.address()}};
+    build.geometries.push_back(geometry);
+    build.ranges.push_back({.primitiveCount = static_cast<std::uint32_t>(instances.size())});
+    ask_sizes(device, build);
+    HM_TRY_ASSIGN(const Buffer scratch, make_scratch(device, build.scratch_bytes));
+    report.scratch_bytes = std::max(report.scratch_bytes, scratch.size());
+    HM_TRY_ASSIGN(std::vector<AccelerationStructure> built,
+                  build_batch(device, std::span(&build, 1), scratch, VK_NULL_HANDLE, report));
+    report.kept_bytes += built.front().bytes();
+    ++report.structures;
+    return std::move(built.front());
+}
+
+}  // namespace hm::rhi

@@ -1,0 +1,42 @@
+// The feature structs that we ask about and enable, and our names for their fields.
+#pragma once
+
+#include <span>
+
+#include "rhi/vulkan.h"
+
+namespace hm::rhi {
+
+// Vulkan's chain of structs; not to be moved, since they point at each other.
+struct FeatureChain {
+    VkPhysicalDeviceRayTracingInvocationReorderFeaturesNV reorder{};
+    VkPhysicalDeviceRayTracingPipelineFeaturesKHR ray_tracing{};
+    VkPhysicalDeviceAccelerationStructureFeaturesKHR acceleration{};
+    VkPhysicalDeviceVulkan13Features vulkan13{};
+    VkPhysicalDeviceVulkan12Features vulkan12{};
+    VkPhysicalDeviceFeatures2 features{};
+
+    // The structs of extensions are left out of the chain where the extension is not enabled.
+    explicit FeatureChain(bool with_reorder);
+    FeatureChain(const FeatureChain&) = delete;
+    FeatureChain& operator=(const FeatureChain&) = delete;
+};
+
+struct Feature {
+    const char* name;
+    const char* purpose;
+    bool required;
+    VkBool32& (*field)(FeatureChain&);
+};
+
+std::span<const Feature> all_features();
+
+struct Extension {
+    const char* name;
+    const char* purpose;
+    bool required;
+};
+
+std::span<const Extension> all_extensions();
+
+}  // namespace hm::rhi

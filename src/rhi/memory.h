@@ -1,0 +1,20 @@
+// How memory is asked for, and what is said when there is not enough.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "rhi/allocator.h"
+#include "rhi/buffer.h"
+#include "rhi/device.h"
+#include "rhi/error.h"
+
+namespace hm::rhi {
+
+VmaAllocationCreateInfo allocation_info(MemoryKind kind);
+
+// device_error, with how much was asked for and what there is if memory ran out.
+Error memory_error(const Device& device, VkResult result, std::string_view call,
+                   std::string_view object, std::uint64_t bytes);
+
+}  // namespace hm::rhi

@@ -1,0 +1,3 @@
+// volk's function pointers and their loading, compiled here.
+#define VOLK_IMPLEMENTATION
+#include <volk.h>
