@@ -31,5 +31,11 @@ TEST(Printable, EscapesWhatIsNotUtf8) {
     EXPECT_EQ(printable("\xE2\x82z"), "\\xE2\\x82z");  // resumes at the next character
 }
 
+TEST(Joined, PutsSeparatorsBetweenParts) {
+    EXPECT_EQ(joined({}, ", "), "");
+    EXPECT_EQ(joined({"a"}, ", "), "a");
+    EXPECT_EQ(joined({"a", "b", "c"}, "; "), "a; b; c");
+}
+
 }  // namespace
 }  // namespace hm

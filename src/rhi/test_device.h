@@ -1,0 +1,55 @@
+// For this room's tests: a device with validation, of any kind, whose complaints fail the test.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "rhi/device.h"
+#include "rhi/instance.h"
+
+namespace hm::rhi::test {
+
+// Fails the test with the error's line; for values, not for void.
+template <class T>
+T value_of(Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().line());
+    return std::move(*result);
+}
+
+inline void expect_ok(const Result<void>& result) {
+    EXPECT_TRUE(result.has_value()) << result.error().line();
+}
+
+// The best device, or where only software offers ray tracing, that.
+inline PhysicalDevice any_device(const Instance& instance) {
+    const std::vector<PhysicalDevice> devices = value_of(instance.devices());
+    if (Result<PhysicalDevice> best = choose_best(devices)) return *best;
+    for (const PhysicalDevice& device : devices)
+        if (device.usable()) return device;
+    throw std::runtime_error(choose_best(devices).error().line() +
+                             "; scripts/fetch-lavapipe.sh brings one that runs on the CPU");
+}
+
+class DeviceTest : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        instance_ = value_of(Instance::create({.validation = true}));
+        device_ = value_of(Device::create(instance_, any_device(*instance_)));
+    }
+
+    void TearDown() override {
+        device_.reset();
+        for (const Message& message : instance_->messages().take())
+            ADD_FAILURE() << message.line();
+    }
+
+    Device& device() { return *device_; }
+    Instance& instance() { return *instance_; }
+
+  private:
+    std::shared_ptr<Instance> instance_;
+    std::unique_ptr<Device> device_;
+};
+
+}  // namespace hm::rhi::test
