@@ -39,6 +39,7 @@ class DeviceTest : public ::testing::Test {
     }
 
     void TearDown() override {
+        if (instance_ == nullptr) return;
         device_.reset();
         for (const Message& message : instance_->messages().take())
             ADD_FAILURE() << message.line();
