@@ -8,7 +8,7 @@ set -eu
 group=${1:---test}
 packages="g++ cmake ninja-build ccache pkg-config git ca-certificates
     libglm-dev libsimdjson-dev libopenexr-dev libspng-dev libjpeg62-turbo-dev zlib1g-dev
-    libtbb-dev libcli11-dev libfmt-dev libexpected-dev
+    libxxhash-dev libtbb-dev libcli11-dev libfmt-dev libexpected-dev
     libvulkan-dev libvulkan-volk-dev glslang-tools spirv-tools"
 case $group in
 --build) ;;

@@ -40,6 +40,7 @@ Result<std::vector<std::byte>> read_uri(Source& source, const Json& owner, std::
     if (!bytes)
         return owner.fail(ExitCode::unreadable, "uri",
                           fmt::format("{}: {}", excerpt(path->string()), bytes.error().message));
+    source.hash.add(*bytes);
     return std::move(*bytes);
 }
 

@@ -70,6 +70,16 @@ TEST(Images, FromBufferViewAndFile) {
     ASSERT_TRUE(scene) << scene.error().line();
     EXPECT_EQ(scene->images.size(), 2u);
     EXPECT_EQ(scene->images[0].pixels, scene->images[1].pixels);
+
+    // The picture beside the file belongs to the scene's fingerprint; a comment in it will do.
+    std::string other = bytes_of(png);
+    other.insert(other.size() - 12, std::string("\0\0\0\3tEXta\0b\xDC\x49\xA2\x3B", 15));
+    EXPECT_EQ(load_gltf(folder.write("scene.gltf", text), diagnostics)->hash, scene->hash);
+    folder.write("a b.png", other);
+    const auto changed = load_gltf(folder.write("scene.gltf", text), diagnostics);
+    ASSERT_TRUE(changed) << changed.error().line();
+    EXPECT_NE(changed->hash, scene->hash);
+    EXPECT_EQ(changed->images[0].pixels, scene->images[0].pixels);
 }
 
 TEST(Images, AMediaTypeThatIsWrongIsWarnedOf) {

@@ -39,6 +39,7 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     const std::string file = path.string();
     HM_TRY_ASSIGN(const Container container, split_container(bytes, file, diagnostics));
     Source source{file, path.parent_path(), diagnostics, options, container.binary};
+    source.hash.add(bytes);
     source.budget = make_budget(memory_limit(options), bytes.size());
     HM_TRY(check_memory(source.budget, json_memory(container.json), file, ""));
     source.budget.kept_bytes -= json_memory(container.json);
@@ -66,6 +67,7 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     HM_TRY_ASSIGN(scene.animations, read_animations(root, source, scene_node, scene));
     HM_TRY(separate_posed_meshes(source, scene));
     HM_TRY(pose_scene(scene, std::nullopt));
+    scene.hash = source.hash.text();
     return scene;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/hash.h"
 #include "base/result.h"
 #include "gltf/json.h"
 #include "gltf/load.h"
@@ -81,6 +82,7 @@ struct Source {
     std::vector<BufferView> views{};
     std::vector<Accessor> accessors{};
     Budget budget{};
+    Hasher hash{};           // of the file and of every other that is read
     bool quantized = false;  // KHR_mesh_quantization is used
     std::size_t variant_count = 0;
     std::optional<std::size_t> variant{};  // the chosen one

@@ -116,6 +116,7 @@ struct Node {
 
 struct Scene {
     std::string file;         // for messages
+    std::string hash;         // of the file and all that was read beside it (base/hash.h)
     std::vector<Node> nodes;  // of the chosen scene only
     std::vector<Mesh> meshes;
     std::vector<Material> materials;

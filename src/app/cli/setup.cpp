@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/files.h"
+#include "base/hash.h"
 #include "image/read.h"
 #include "scene/camera.h"
 
@@ -87,15 +88,17 @@ Result<EnvironmentChoice> choose_environment(const RenderOptions& options, const
         options.punctual && std::any_of(scene.nodes.begin(), scene.nodes.end(),
                                         [](const Node& node) { return node.light != kUnset; });
     if (options.env == "none" || (options.env.empty() && has_lights))
-        return EnvironmentChoice{{}, "none"};
+        return EnvironmentChoice{{}, "none", ""};
     if (options.env.empty())
         return EnvironmentChoice{
             make_environment(default_environment(), options.env_rotation, options.env_intensity),
-            "default"};
+            "default", ""};
     HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(options.env));
     HM_TRY_ASSIGN(const Image image, read_environment_image(bytes, options.env));
+    Hasher hash;
+    hash.add(bytes);
     return EnvironmentChoice{make_environment(image, options.env_rotation, options.env_intensity),
-                             options.env};
+                             options.env, hash.text()};
 }
 
 Result<CameraChoice> choose_camera(const ViewOptions& view, const Scene& scene,

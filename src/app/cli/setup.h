@@ -13,6 +13,7 @@ namespace hm::cli {
 struct EnvironmentChoice {
     EnvironmentMap map;
     std::string name;  // the file, "none" or "default"
+    std::string hash;  // of the file's bytes (base/hash.h), else empty
 };
 
 // The file that --env names, darkness, or the default sky where no punctual light is used.
