@@ -28,15 +28,19 @@ struct Descriptor {
     int fd;
 };
 
-// Removes a half-written file unless it was renamed away.
+// A name beside the target; what is there is removed at the end, unless it was renamed away.
 struct TemporaryFile {
-    explicit TemporaryFile(fs::path chosen) : path(std::move(chosen)) {}
+    // Process and counter make the name unique; the target's own name is left out, since with
+    // anything added it could pass the file system's limit.
+    explicit TemporaryFile(const fs::path& target)
+        : path(target.parent_path() / fmt::format(".himalaya-{}-{}.part", ::getpid(), counter++)) {}
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile() {
         std::error_code ignored;
         if (!renamed) fs::remove(path, ignored);
     }
+    static inline std::atomic<unsigned> counter = 0;
     fs::path path;
     bool renamed = false;
 };
@@ -68,6 +72,41 @@ Result<void> write_bytes(const fs::path& path, std::span<const std::byte> bytes)
     return {};
 }
 
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+// What writing to `path` replaces: through a symbolic link the file it leads to, not the link.
+Result<fs::path> replaceable_file(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status)) return unwritable(path, "it is a folder");
+    // Renaming over a device or a pipe would replace it.
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        return unwritable(path, "it exists and is not a regular file");
+    if (!path.has_filename()) return unwritable(path, "it names no file");
+    if (!fs::is_directory(folder_of(path), error))
+        return unwritable(path, "there is no such folder");
+    if (!fs::exists(status) || !fs::is_symlink(fs::symlink_status(path, error))) return path;
+    const fs::path target = fs::canonical(path, error);
+    if (error) return unwritable(path, error.message());
+    return target;
+}
+
+// To the disk itself, past the system's memory.
+Result<void> sync_file(const fs::path& path) {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (file.fd < 0 || (::fsync(file.fd) != 0 && errno != EINVAL))
+        return unwritable(path, error_text(errno));
+    return {};
+}
+
+// The file's new name too. Some file systems can't, and the file is whole all the same.
+void sync_folder(const fs::path& folder) {
+    const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.fd >= 0) ::fsync(opened.fd);
+}
+
 }  // namespace
 
 Result<std::vector<std::byte>> read_file(const fs::path& path) {
@@ -96,37 +135,36 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
     return bytes;
 }
 
+Result<void> check_writable(const fs::path& path, std::uint64_t bytes) {
+    HM_TRY_ASSIGN(const fs::path target, replaceable_file(path));
+    const TemporaryFile temporary(target);
+    const Descriptor file(
+        ::open(temporary.path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (file.fd < 0) return unwritable(path, error_text(errno));
+    if (::fallocate(file.fd, 0, 0, static_cast<off_t>(bytes)) == 0) return {};
+    // Not every file system can reserve room; each can take a byte, unless it is full.
+    if (errno != EOPNOTSUPP && errno != EINTR) return unwritable(path, error_text(errno));
+    if (::write(file.fd, "", 1) != 1) return unwritable(path, error_text(errno));
+    return {};
+}
+
 Result<void> write_atomically(const fs::path& path,
                               const std::function<Result<void>(const fs::path&)>& write) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (fs::is_directory(status)) return unwritable(path, "it is a folder");
-    // Renaming over a device or a pipe would replace it.
-    if (fs::exists(status) && !fs::is_regular_file(status))
-        return unwritable(path, "it exists and is not a regular file");
-    if (!path.has_filename()) return unwritable(path, "it names no file");
-
-    // Through a symbolic link the file it leads to is replaced, not the link.
-    fs::path target = path;
-    if (fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error))) {
-        target = fs::canonical(path, error);
-        if (error) return unwritable(path, error.message());
-    }
-
-    // Process and counter make the name unique; the target's own name is left out, since with
-    // anything added it could pass the file system's limit.
-    static std::atomic<unsigned> counter = 0;
-    TemporaryFile temporary(target.parent_path() /
-                            fmt::format(".himalaya-{}-{}.part", ::getpid(), counter++));
-    if (Result<void> written = write(temporary.path); !written) {
+    HM_TRY_ASSIGN(const fs::path target, replaceable_file(path));
+    TemporaryFile temporary(target);
+    Result<void> written = write(temporary.path);
+    if (written) written = sync_file(temporary.path);
+    if (!written) {
         // The user knows `path`, not the temporary name.
         Error why = std::move(written.error());
         if (why.file == temporary.path.string()) why.file = path.string();
         return tl::unexpected<Error>(std::move(why));
     }
+    std::error_code error;
     fs::rename(temporary.path, target, error);
     if (error) return unwritable(path, error.message());
     temporary.renamed = true;
+    sync_folder(folder_of(target));
     return {};
 }
 

@@ -1,9 +1,11 @@
 #include "base/files.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <new>
 #include <string>
@@ -123,6 +125,46 @@ TEST_F(Files, RefusesWhatIsNoFile) {
     ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
     check(folder_ / "pipe");
     EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
+    EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(Files, ChecksBeforehandAndLeavesNothing) {
+    const fs::path path = folder_ / "picture.exr";
+    EXPECT_TRUE(check_writable(path));
+    EXPECT_TRUE(check_writable(path, 1 << 20));
+    EXPECT_EQ(entries(), 0);
+    ASSERT_TRUE(write_file_atomically(path, bytes_of("old")));
+    EXPECT_TRUE(check_writable(path));
+    EXPECT_EQ(text_of(path), "old");
+    const auto message = [](const fs::path& wanted, std::uint64_t bytes = 1) {
+        const auto checked = check_writable(wanted, bytes);
+        return checked ? "" : checked.error().message;
+    };
+    EXPECT_EQ(message(folder_), "can't be written: it is a folder");
+    EXPECT_EQ(message(folder_ / "a" / "b"), "can't be written: there is no such folder");
+    EXPECT_NE(message("/sys/picture.exr"), "");            // nobody may make files there
+    EXPECT_NE(message(path, std::uint64_t(1) << 60), "");  // more than any disk has
+    EXPECT_EQ(entries(), 1);
+}
+
+// A limit on the size of files is like a full disk: the write fails half way through.
+TEST_F(Files, AFileThatDoesNotFitLeavesTheOldOne) {
+    const fs::path path = folder_ / "picture.exr";
+    ASSERT_TRUE(write_file_atomically(path, bytes_of("old")));
+    ASSERT_NE(::signal(SIGXFSZ, SIG_IGN), SIG_ERR);
+    struct rlimit before {};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    struct rlimit small = before;
+    small.rlim_cur = 4096;
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const auto written = write_file_atomically(path, bytes_of(std::string(10000, 'x')));
+    const auto checked = check_writable(path, 10000);
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().line(), path.string() + ": can't be written: File too large");
+    ASSERT_FALSE(checked);
+    EXPECT_EQ(checked.error().line(), written.error().line());
+    EXPECT_EQ(text_of(path), "old");
     EXPECT_EQ(entries(), 1);
 }
 

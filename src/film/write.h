@@ -15,10 +15,6 @@ enum class PictureKind { exr, png, hdr };
 // By the extension, in upper or lower case; nothing if it is none of ours.
 std::optional<PictureKind> picture_kind(const std::filesystem::path& path);
 
-// Whether a picture could be written there now: for asking before the hours of rendering. Fails
-// with ExitCode::unwritable.
-Result<void> check_writable(const std::filesystem::path& path);
-
 struct PictureOptions {
     PixelRect crop;      // where the picture lies in the whole
     bool alpha = false;  // write the coverage; .hdr has no place for it

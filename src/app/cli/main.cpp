@@ -6,6 +6,7 @@
 #include <new>
 
 #include "app/cli/info.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/cli/render.h"
 #include "base/text.h"
@@ -31,6 +32,7 @@ int complain(ExitCode code, std::string_view line) {
 }  // namespace
 
 int main(int count, char** arguments) {
+    cli::ignore_write_signals();
     try {
         const Result<ExitCode> code = run(count, arguments);
         return code ? int(*code) : complain(code.error().code, code.error().line());

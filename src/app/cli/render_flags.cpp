@@ -9,6 +9,7 @@
 #include "app/cli/frames.h"
 #include "app/cli/load_flags.h"
 #include "app/cli/values.h"
+#include "base/files.h"
 #include "film/write.h"
 
 namespace hm::cli {
