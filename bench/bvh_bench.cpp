@@ -8,9 +8,9 @@
 #include <ctime>
 #include <vector>
 
+#include "base/machine.h"
 #include "bvh/bvh.h"
 #include "bvh/trace_batch.h"
-#include "machine.h"
 
 namespace {
 

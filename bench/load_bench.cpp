@@ -10,9 +10,9 @@
 #include <string>
 
 #include "base/files.h"
+#include "base/machine.h"
 #include "bvh/bvh.h"
 #include "gltf/load.h"
-#include "machine.h"
 #include "scene/flatten.h"
 
 namespace {

@@ -16,11 +16,11 @@
 
 #include "base/check.h"
 #include "base/files.h"
+#include "base/machine.h"
 #include "cpu/render.h"
 #include "gltf/load.h"
 #include "image/metrics.h"
 #include "image/read.h"
-#include "machine.h"
 #include "scene/camera.h"
 #include "shading/tables/tables.h"
 

@@ -1,0 +1,75 @@
+// Behind vulkan_devices.h where the Vulkan renderer is built.
+#include "app/cli/vulkan_devices.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/cli/drivers.h"
+#include "gpu/context.h"
+#include "gpu/renderer.h"
+#include "rhi/device.h"
+#include "rhi/instance.h"
+
+namespace hm::cli {
+namespace {
+
+class GpuDevice final : public Device {
+  public:
+    explicit GpuDevice(std::unique_ptr<GpuContext> context) : context_(std::move(context)) {}
+
+    std::string name() const override { return context_->device().physical().name + " (Vulkan)"; }
+    Result<std::unique_ptr<Renderer>> load(const FlatScene& scene) override {
+        HM_TRY_ASSIGN(std::unique_ptr<Renderer> renderer, VulkanRenderer::create(*context_, scene));
+        return renderer;
+    }
+
+  private:
+    std::unique_ptr<GpuContext> context_;
+};
+
+Result<std::shared_ptr<rhi::Instance>> make_instance() {
+    add_hidden_drivers();
+    return rhi::Instance::create();
+}
+
+VulkanDevice describe(const rhi::PhysicalDevice& physical) {
+    return {.index = physical.index,
+            .name = physical.name,
+            .kind = rhi::kind_name(physical.kind),
+            .driver = physical.driver,
+            .api_version = physical.api_version,
+            .is_software = physical.kind == rhi::DeviceKind::cpu,
+            .memory_bytes = physical.memory_bytes,
+            .capabilities = physical.capabilities};
+}
+
+}  // namespace
+
+bool built_with_vulkan() {
+    return true;
+}
+
+Result<std::vector<VulkanDevice>> list_vulkan_devices() {
+    HM_TRY_ASSIGN(const std::shared_ptr<rhi::Instance> instance, make_instance());
+    HM_TRY_ASSIGN(const std::vector<rhi::PhysicalDevice> all, instance->devices());
+    std::vector<VulkanDevice> devices;
+    for (const rhi::PhysicalDevice& physical : all)
+        devices.push_back(describe(physical));
+    return devices;
+}
+
+Result<std::unique_ptr<Device>> open_vulkan_device(std::optional<std::uint32_t> index) {
+    HM_TRY_ASSIGN(std::shared_ptr<rhi::Instance> instance, make_instance());
+    HM_TRY_ASSIGN(const std::vector<rhi::PhysicalDevice> all, instance->devices());
+    HM_TRY_ASSIGN(const rhi::PhysicalDevice physical,
+                  index ? rhi::choose_index(all, *index) : rhi::choose_best(all));
+    HM_TRY_ASSIGN(std::unique_ptr<rhi::Device> device,
+                  rhi::Device::create(std::move(instance), physical));
+    Diagnostics diagnostics;
+    HM_TRY_ASSIGN(std::unique_ptr<GpuContext> context,
+                  GpuContext::create(std::move(device), rhi::default_cache_folder(), diagnostics));
+    return std::make_unique<GpuDevice>(std::move(context));
+}
+
+}  // namespace hm::cli

@@ -1,0 +1,58 @@
+#include "base/machine.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <string_view>
+#include <thread>
+
+#include "commit.h"  // written by cmake/Commit.cmake at each build
+
+namespace hm {
+
+std::string cpu_model() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "unknown";
+}
+
+unsigned cpu_threads() {
+    return std::thread::hardware_concurrency();
+}
+
+std::string build_commit() {
+    return HM_COMMIT;
+}
+
+MemoryFacts memory_facts() {
+    MemoryFacts facts;
+    std::ifstream info("/proc/meminfo");
+    for (std::string line; std::getline(info, line);) {
+        const auto kib = [&](std::string_view name) {
+            return std::strtoull(line.c_str() + name.size(), nullptr, 10) * 1024;
+        };
+        if (line.starts_with("MemTotal:")) facts.total_bytes = kib("MemTotal:");
+        if (line.starts_with("MemAvailable:")) facts.available_bytes = kib("MemAvailable:");
+    }
+    return facts;
+}
+
+std::string machine_json() {
+    return fmt::format("\"cpu\": \"{}\", \"threads\": {}, \"commit\": \"{}\", \"compiler\": \"{}\"",
+                       cpu_model(), cpu_threads(), build_commit(), __VERSION__);
+}
+
+double wall_seconds() {
+    using namespace std::chrono;
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+double processor_seconds() {
+    return double(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace hm
