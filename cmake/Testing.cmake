@@ -1,21 +1,30 @@
 include(GoogleTest)
 
-# himalaya_test(NAME SOURCES files... LIBS targets... [LABEL unit|stat|gpu|image|corpus])
-# One GoogleTest binary; each of its tests becomes a ctest entry under the label (default: unit).
+# himalaya_test(NAME SOURCES files... LIBS targets... [LABEL unit|stat|gpu|image|corpus] [ONE_PROCESS])
+# One GoogleTest binary; each of its tests becomes a ctest entry under the label (default: unit), or
+# with ONE_PROCESS all of them become one: for what they share and is slow to make.
 # `gpu` tests find lavapipe where scripts/fetch-lavapipe.sh puts it, beside what the system offers.
 function(himalaya_test name)
-  cmake_parse_arguments(T "" "LABEL" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(T "ONE_PROCESS" "LABEL" "SOURCES;LIBS" ${ARGN})
   if(NOT T_LABEL)
     set(T_LABEL unit)
   endif()
   add_executable(${name} ${T_SOURCES})
   himalaya_compile(${name})
   target_link_libraries(${name} PRIVATE ${T_LIBS} GTest::gtest_main)
-  set(environment ENVIRONMENT "HIMALAYA_SOURCE_DIR=${PROJECT_SOURCE_DIR}")
+  set(source_dir "HIMALAYA_SOURCE_DIR=${PROJECT_SOURCE_DIR}")
+  set(lavapipe ${PROJECT_SOURCE_DIR}/build/lavapipe)
+  set(drivers "VK_ADD_DRIVER_FILES=${lavapipe}/icd.json")
+  set(libraries "LD_LIBRARY_PATH=path_list_prepend:${lavapipe}/lib")
+  if(T_ONE_PROCESS)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES LABELS ${T_LABEL}
+      ENVIRONMENT "${source_dir};${drivers}" ENVIRONMENT_MODIFICATION "${libraries}")
+    return()
+  endif()
+  set(environment ENVIRONMENT "${source_dir}")
   if(T_LABEL STREQUAL gpu)
-    set(lavapipe ${PROJECT_SOURCE_DIR}/build/lavapipe)
-    set(environment ENVIRONMENT "VK_ADD_DRIVER_FILES=${lavapipe}/icd.json"
-      ENVIRONMENT_MODIFICATION "LD_LIBRARY_PATH=path_list_prepend:${lavapipe}/lib")
+    set(environment ENVIRONMENT "${drivers}" ENVIRONMENT_MODIFICATION "${libraries}")
   endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS ${T_LABEL} ${environment})

@@ -13,7 +13,9 @@ using TraceCounterRows = std::array<TraceCounters, kCounterRows>;
 
 Result<rhi::Image> make_sum_image(rhi::Device& device, const char* name, rhi::Format format,
                                   std::uint32_t width, std::uint32_t height) {
-    return rhi::Image::create(device, {name, format, width, height, 1, rhi::ImageUse::storage});
+    // Uploads leave images ready to be sampled.
+    const rhi::ImageUse use = rhi::ImageUse::storage | rhi::ImageUse::sampled;
+    return rhi::Image::create(device, {name, format, width, height, 1, use});
 }
 
 // Fills an image of layout general with what the film holds.
@@ -57,6 +59,23 @@ std::string VulkanRenderer::device() const {
     return context_.device().physical().name + " (Vulkan)";
 }
 
+RendererReport VulkanRenderer::report() const {
+    const GpuSceneReport& s = scene_->report();
+    const rhi::PhysicalDevice& device = context_.device().physical();
+    return {.kind = "vulkan",
+            .device = device.name,
+            .variant = device.driver,
+            .upload_seconds = s.upload_seconds,
+            .build_seconds = s.build_seconds,
+            .structure_bytes = s.structure_bytes,
+            .device_bytes = context_.device().memory_use().used_bytes,
+            .structure = {{"triangles", s.triangles},
+                          {"degenerate_triangles", s.degenerate_triangles},
+                          {"meshes", s.build.structures},
+                          {"instances", s.instances},
+                          {"duplicate_instances", s.duplicate_instances}}};
+}
+
 Result<void> VulkanRenderer::make_slots() {
     rhi::Device& device = context_.device();
     HM_TRY_ASSIGN(counters_, rhi::Buffer::create(device, {"counters", sizeof(TraceCounterRows)}));
@@ -80,7 +99,7 @@ Result<void> VulkanRenderer::begin(const RenderJob& job, Film& film) {
     clamps_ = job.params.max_radiance > 0;
     added_.assign(film.crop.height(), 0);
     sizer_ = BatchSizer(film.crop.width(), film.crop.height(),
-                        context_.device().limits().max_dispatch_rays);
+                        context_.device().limits().max_rays_per_trace);
     HM_TRY(scene_->set_frame(job.params, job.camera, job.filter_table));
     return make_targets();
 }

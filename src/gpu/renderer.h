@@ -13,7 +13,7 @@
 
 namespace hm {
 
-class VulkanRenderer : public Renderer {
+class VulkanRenderer final : public Renderer {
   public:
     // Uploads the scene and builds its acceleration structures. The context must outlive the
     // renderer; `scene` is not used afterwards.
@@ -27,6 +27,7 @@ class VulkanRenderer : public Renderer {
     Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
                         const std::atomic<bool>& cancel) override;
     Result<void> sync() override;
+    RendererReport report() const override;
 
     const GpuSceneReport& scene_report() const { return scene_->report(); }
 

@@ -59,11 +59,11 @@ GpuScene::GpuScene(rhi::Device& device, rhi::Uploader uploader)
 
 Result<void> GpuScene::add_table(rhi::DescriptorWrites& writes, SceneBinding binding,
                                  const char* name, std::span<const std::byte> bytes) {
-    if (bytes.size() > device_.limits().max_storage_buffer)
+    if (bytes.size() > device_.limits().max_storage_buffer_bytes)
         return fail(
             ExitCode::device_failed, "", "",
             fmt::format("the scene's table of {} is {} bytes, {} takes {}", name, bytes.size(),
-                        device_.physical().name, device_.limits().max_storage_buffer));
+                        device_.physical().name, device_.limits().max_storage_buffer_bytes));
     // No buffer is empty; nothing reads the row that stands for none.
     const std::uint64_t size = std::max<std::uint64_t>(bytes.size(), 128);
     rhi::Buffer& table = tables_[std::size_t(binding)];
@@ -143,6 +143,7 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(rhi::Device& device, const Sc
     report.geometry_bytes = gpu->geometry_.bytes();
     report.texture_bytes = hm::texture_bytes(scene);
     report.structure_bytes = gpu->structures_.bytes();
+    report.triangles = triangle_count(scene) - gpu->geometry_.degenerate_triangles;
     report.degenerate_triangles = gpu->geometry_.degenerate_triangles;
     report.instances = gpu->structures_.instances;
     report.duplicate_instances = gpu->structures_.duplicates;

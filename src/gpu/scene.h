@@ -18,6 +18,7 @@ struct GpuSceneReport {
     std::uint64_t texture_bytes = 0;
     std::uint64_t table_bytes = 0;
     std::uint64_t structure_bytes = 0;
+    std::uint64_t triangles = 0;
     std::uint64_t degenerate_triangles = 0;
     std::uint32_t instances = 0;  // in the acceleration structure
     std::uint32_t duplicate_instances = 0;

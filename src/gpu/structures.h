@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gpu/geometry.h"
-#include "rhi/acceleration_structure.h"
+#include "rhi/acceleration_build.h"
 #include "scene/flatten.h"
 
 namespace hm {

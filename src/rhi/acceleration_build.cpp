@@ -71,7 +71,8 @@ VkAccelerationStructureGeometryKHR describe_triangles(const TriangleGeometry& ge
         .vertexStride = geometry.position_stride,
         .maxVertex = geometry.vertex_count > 0 ? geometry.vertex_count - 1 : 0,
         .indexType = VK_INDEX_TYPE_UINT32,
-        .indexData = {.deviceAddress = geometry.indices}};
+        .indexData = {.deviceAddress = geometry.indices},
+        .transformData = {.deviceAddress = geometry.transform}};
     return described;
 }
 

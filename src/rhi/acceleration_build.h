@@ -22,7 +22,8 @@ struct TriangleGeometry {
     std::uint32_t vertex_count = 0;
     std::uint64_t indices = 0;
     std::uint32_t triangle_count = 0;
-    bool opaque = true;  // otherwise any-hit runs, at most once for each hit
+    bool opaque = true;           // otherwise any-hit runs, at most once for each hit
+    std::uint64_t transform = 0;  // three rows of four floats, applied while building; 0: none
 };
 
 struct BlasInput {

@@ -1,0 +1,97 @@
+#include "gpu/renderers.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "rhi/instance.h"
+#include "rhi/physical_device.h"
+#include "shading/tables/tables.h"
+
+namespace hm::test {
+
+namespace {
+
+template <class T>
+T value_of(Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().line());
+    return std::move(*result);
+}
+
+void expect_ok(const Result<void>& result) {
+    EXPECT_TRUE(result) << result.error().line();
+}
+
+rhi::PhysicalDevice choose_device(const rhi::Instance& instance) {
+    const auto devices = value_of(instance.devices());
+    const char* wanted = std::getenv("HIMALAYA_TEST_DEVICE");
+    if (wanted != nullptr)
+        return value_of(rhi::choose_index(devices, static_cast<std::uint32_t>(std::atoi(wanted))));
+    const auto best = rhi::choose_best(devices);
+    return best ? *best : value_of(rhi::choose_index(devices, 0));
+}
+
+std::unique_ptr<GpuContext> make_context() {
+    rhi::InstanceOptions options;
+    options.validation = true;
+    const auto instance = value_of(rhi::Instance::create(options));
+    const rhi::PhysicalDevice physical = choose_device(*instance);
+    std::printf("on %s, %s\n", physical.name.c_str(), physical.driver.c_str());
+    Diagnostics diagnostics;
+    return value_of(
+        GpuContext::create(value_of(rhi::Device::create(instance, physical)), "", diagnostics));
+}
+
+}  // namespace
+
+GpuContext& gpu_context() {
+    static const std::unique_ptr<GpuContext> context = make_context();
+    return *context;
+}
+
+void expect_no_messages() {
+    for (const rhi::Message& message : gpu_context().device().instance().messages().take())
+        ADD_FAILURE() << message.line();
+}
+
+RenderJob make_job(const FlatScene& scene, const CameraData& camera) {
+    RenderJob job;
+    job.camera = camera;
+    job.params.width = job.params.height = kPictureSize;
+    job.params.seed = 5;
+    job.params.sampler_kind = kSamplerSobolOwen;
+    job.params.max_bounces = 6;
+    job.params.energy_compensation = 1;
+    job.params.filter_width = 2;
+    job.filter_table = make_filter_table(PixelFilter::gaussian);
+    set_light_ranges(scene, job.params);
+    return job;
+}
+
+Film draw(Renderer& renderer, const RenderJob& job, PixelRect crop) {
+    Film film(crop);
+    RenderCounters counters;
+    expect_ok(renderer.begin(job, film));
+    expect_ok(renderer.render(0, kPictureSamples, counters, std::atomic<bool>(false)));
+    expect_ok(renderer.sync());
+    EXPECT_EQ(counters.samples, std::uint64_t(crop.width()) * crop.height() * kPictureSamples);
+    EXPECT_GE(counters.rays, counters.samples);
+    EXPECT_EQ(counters.non_finite, 0u);
+    return film;
+}
+
+Film draw(Renderer& renderer, const RenderJob& job) {
+    return draw(renderer, job, {0, 0, job.params.width, job.params.height});
+}
+
+Duel::Duel(const FlatScene& scene)
+    : cpu_(scene, 0), gpu_(value_of(VulkanRenderer::create(gpu_context(), scene))) {}
+
+void Duel::expect_parity(const RenderJob& job, const std::string& what) {
+    expect_same_picture(means_of(draw(*gpu_, job)), means_of(draw(cpu_, job)), what);
+    expect_no_messages();
+}
+
+}  // namespace hm::test
