@@ -1,20 +1,9 @@
 #include "app/cli/info.h"
 
-#include <cstdio>
-
 #include "app/cli/info_report.h"
+#include "app/cli/output.h"
 
 namespace hm::cli {
-namespace {
-
-Result<void> print(const std::string& text) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-        return fail(ExitCode::unwritable, "standard output", "", "can't be written");
-    return {};
-}
-
-}  // namespace
-
 Result<ExitCode> info(const InfoOptions& options) {
     InfoReport report = examine(options);
     if (options.json) {

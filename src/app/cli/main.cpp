@@ -5,9 +5,11 @@
 #include <exception>
 #include <new>
 
+#include "app/cli/doctor/doctor.h"
 #include "app/cli/info.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
+#include "app/cli/output.h"
 #include "app/cli/render.h"
 #include "base/text.h"
 
@@ -19,8 +21,8 @@ Result<ExitCode> run(int count, const char* const* arguments) {
     HM_TRY_ASSIGN(const cli::CommandLine line, cli::parse_command_line(count, arguments));
     if (line.render) return cli::render(*line.render);
     if (line.info) return cli::info(*line.info);
-    if (std::fputs(line.text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-        return fail(ExitCode::unwritable, "standard output", "", "can't be written");
+    if (line.doctor) return cli::doctor(*line.doctor);
+    HM_TRY(cli::print(line.text));
     return ExitCode::ok;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include "app/cli/devices.h"
 #include "app/cli/frames.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/output.h"
 #include "app/cli/passes.h"
 #include "app/cli/report.h"
 #include "app/cli/setup.h"
@@ -74,12 +74,6 @@ void record_warnings(const RenderSummary& summary, const std::string& file,
             fmt::format("{} samples were not finite and count as black", summary.non_finite));
 }
 
-Result<void> print_report(const std::string& report) {
-    if (std::fputs(report.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-        return fail(ExitCode::unwritable, "standard output", "", "can't be written");
-    return {};
-}
-
 // One picture. It borrows the environment's tables.
 Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& progress,
                       Diagnostics& diagnostics) {
@@ -129,7 +123,7 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
 
     record_warnings(summary, options.input, diagnostics);
     progress.note(summary_line(summary));
-    if (options.json) HM_TRY(print_report(json_report(options, summary, diagnostics)));
+    if (options.json) HM_TRY(print(json_report(options, summary, diagnostics)));
     shared.environment->map = std::move(flat.environment);
     return summary.interrupted ? ExitCode::interrupted : ExitCode::ok;
 }
