@@ -12,7 +12,7 @@ Result<ExitCode> info(const InfoOptions& options) {
         HM_TRY(print(info_text(report)));
     }
     if (report.error) return tl::unexpected(std::move(*report.error));
-    return report.diagnostics.warnings().empty() ? ExitCode::ok : kWarned;
+    return report.diagnostics.warnings().empty() ? ExitCode::ok : ExitCode::warned;
 }
 
 }  // namespace hm::cli
