@@ -117,8 +117,6 @@ class Planner {
         const rhi::Scope before = moves ? before_change(track) : track.written;
         if (moves || before.stages != 0)
             add(use.step, {resource, before, joint, track.layout, use.usage.layout});
-        // A new layout is a write that only these readers have seen.
-        if (moves) track.written = joint;
         track.readers = moves ? joint : (track.readers | joint);
         track.layout = use.usage.layout;
     }
@@ -126,9 +124,7 @@ class Planner {
     void write(std::uint32_t resource, const Use& use, Track& track) {
         const rhi::ImageLayout from = reads(use.kind) ? track.layout : rhi::ImageLayout::undefined;
         const bool moves = is_image(resource) && from != use.usage.layout;
-        rhi::Scope before = before_change(track);
-        // This reader has not seen the last write yet, whoever else has.
-        if (reads(use.kind)) before = before | track.written;
+        const rhi::Scope before = before_change(track);
         if (moves || before.stages != 0)
             add(use.step, {resource, before, use.usage.scope, from, use.usage.layout});
         track.written = use.usage.scope;
@@ -138,7 +134,9 @@ class Planner {
 
     void finish(std::uint32_t resource, const State& after, const Track& track) {
         const bool moves = is_image(resource) && track.layout != after.layout;
-        const rhi::Scope before = moves ? before_change(track) : track.written;
+        // What comes after may write: it waits for readers too.
+        const rhi::Scope before =
+            moves ? before_change(track) : track.written | rhi::Scope{track.readers.stages, 0};
         if (!moves && covers(track.readers, after.scope)) return;
         plan_.final_barriers.push_back(
             normal({resource, before, after.scope, track.layout, after.layout}));

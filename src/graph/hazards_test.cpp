@@ -17,9 +17,9 @@ namespace {
 using rhi::ImageLayout;
 using rhi::Scope;
 
-constexpr std::uint64_t kWrites = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
-                                  VK_ACCESS_2_TRANSFER_WRITE_BIT |
-                                  VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR;
+constexpr std::uint64_t kWrites =
+    VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT |
+    VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR | VK_ACCESS_2_MEMORY_WRITE_BIT;
 
 struct Random {
     std::mt19937 engine;
@@ -66,7 +66,7 @@ Declaration random_graph(Random& random) {
 }
 
 struct Use {
-    std::uint32_t step;
+    std::uint32_t step;  // 0 is before the first one
     AccessKind kind;
     Usage usage;
 };
@@ -81,14 +81,23 @@ class Checker {
     Checker(const Declaration& graph, const Plan& plan) : graph_(graph) {
         uses_.resize(graph.resources.size());
         barriers_.resize(graph.resources.size());
+        const auto end = static_cast<std::uint32_t>(plan.steps.size());
+        for (std::uint32_t r = 0; r < graph.resources.size(); ++r)
+            if (graph.resources[r].before)
+                uses_[r].push_back(outside(0, *graph.resources[r].before));
         for (std::uint32_t step = 0; step < plan.steps.size(); ++step) {
             const PassDeclaration& pass = graph.passes[plan.steps[step].pass];
             for (const Access& access : pass.accesses)
                 uses_[access.ref.resource].push_back(
-                    {step, access.kind, usage_of(pass.kind, access.kind)});
+                    {step + 1, access.kind, usage_of(pass.kind, access.kind)});
             for (const PlannedBarrier& barrier : plan.steps[step].barriers)
-                barriers_[barrier.resource].push_back({step, barrier});
+                barriers_[barrier.resource].push_back({step + 1, barrier});
         }
+        for (const PlannedBarrier& barrier : plan.final_barriers)
+            barriers_[barrier.resource].push_back({end + 1, barrier});
+        for (std::uint32_t r = 0; r < graph.resources.size(); ++r)
+            if (graph.resources[r].after && uses_[r].size() > 1)
+                uses_[r].push_back(outside(end + 1, *graph.resources[r].after));
     }
 
     void check() const {
@@ -102,6 +111,11 @@ class Checker {
     }
 
   private:
+    // What happens before and after the graph may have written.
+    static Use outside(std::uint32_t step, const State& state) {
+        return {step, AccessKind::read_write, {state.scope, state.layout}};
+    }
+
     void check_pair(std::uint32_t r, const Use& first, const Use& second) const {
         std::uint64_t reached = first.usage.scope.stages;
         std::uint64_t to_flush = writes(first.kind) ? first.usage.scope.access & kWrites : 0;
@@ -174,7 +188,7 @@ TEST(Hazards, AMissingBarrierIsSeen) {
         {"use", PassKind::trace, {{{0, 1}, AccessKind::read}, {{1, 0}, AccessKind::write}}, false});
     Plan plan = *make_plan(graph);
     std::erase_if(plan.steps[1].barriers, [](const PlannedBarrier& b) { return b.resource == 0; });
-    EXPECT_NONFATAL_FAILURE(Checker(graph, plan).check(), "resource 0, steps 0 and 1");
+    EXPECT_NONFATAL_FAILURE(Checker(graph, plan).check(), "resource 0, steps 1 and 2");
 }
 
 }  // namespace
