@@ -3,42 +3,52 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "base/check.h"
 
 namespace hm {
+namespace {
+
+std::vector<float> colors(const Image& image) {
+    const std::size_t pixels = std::size_t(image.width) * image.height;
+    HM_CHECK(image.format == PixelFormat::rgba32f, "format {}", unsigned(image.format));
+    HM_CHECK(pixels > 0 && image.pixels.size() == pixels * 16, "{} pixels, {} bytes", pixels,
+             image.pixels.size());
+    std::vector<float> values(pixels * 3);
+    for (std::size_t i = 0; i < pixels; ++i)
+        std::memcpy(&values[i * 3], &image.pixels[i * 16], 12);
+    return values;
+}
+
+}  // namespace
+
+ImageError compare_values(std::span<const float> a, std::span<const float> b) {
+    HM_CHECK(a.size() == b.size() && !a.empty(), "{} and {} values", a.size(), b.size());
+    ImageError error;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double reference = double(b[i]);
+        const double difference = double(a[i]) - reference;
+        const double square = difference * difference;
+        error.mse += square;
+        error.relative_mse += square / (reference * reference + kRelativeFloor);
+        error.max_abs = std::max(error.max_abs, std::abs(difference));
+    }
+    error.mse /= double(a.size());
+    error.relative_mse /= double(a.size());
+    error.rmse = std::sqrt(error.mse);
+    if (std::isnan(error.mse)) error.max_abs = error.mse;  // std::max passes over NaN
+    return error;
+}
 
 ImageError compare_images(const Image& a, const Image& b) {
     HM_CHECK(a.width == b.width && a.height == b.height, "{} x {} and {} x {} pixels", a.width,
              a.height, b.width, b.height);
-    HM_CHECK(a.format == PixelFormat::rgba32f && b.format == PixelFormat::rgba32f,
-             "formats {} and {}", unsigned(a.format), unsigned(b.format));
-    const std::size_t pixels = std::size_t(a.width) * a.height;
-    HM_CHECK(pixels > 0 && a.pixels.size() == pixels * 16 && b.pixels.size() == pixels * 16,
-             "{} pixels, {} and {} bytes", pixels, a.pixels.size(), b.pixels.size());
+    return compare_values(colors(a), colors(b));
+}
 
-    // Keeps the relative error finite where the reference is black.
-    constexpr double kRelativeFloor = 1e-2;
-    ImageError error;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        float from_a[4], from_b[4];
-        std::memcpy(from_a, &a.pixels[i * 16], 16);
-        std::memcpy(from_b, &b.pixels[i * 16], 16);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double reference = double(from_b[c]);
-            const double difference = double(from_a[c]) - reference;
-            const double square = difference * difference;
-            error.mse += square;
-            error.relative_mse += square / (reference * reference + kRelativeFloor);
-            error.max_abs = std::max(error.max_abs, std::abs(difference));
-        }
-    }
-    const double count = 3.0 * double(pixels);
-    error.mse /= count;
-    error.relative_mse /= count;
-    error.rmse = std::sqrt(error.mse);
-    if (std::isnan(error.mse)) error.max_abs = error.mse;  // std::max passes over NaN
-    return error;
+double psnr(double mse) {
+    return -10.0 * std::log10(mse);
 }
 
 }  // namespace hm

@@ -1,19 +1,30 @@
 // How far one picture is from another.
 #pragma once
 
+#include <span>
+
 #include "image/image.h"
 
 namespace hm {
 
+// What the squared reference is increased by in relative errors, so that they stay finite where it
+// is black.
+inline constexpr double kRelativeFloor = 1e-2;
+
 struct ImageError {
     double mse = 0.0;
     double rmse = 0.0;
-    double relative_mse = 0.0;  // mean of (a - b)^2 / (b^2 + 0.01)
+    double relative_mse = 0.0;  // mean of (a - b)^2 / (b^2 + kRelativeFloor)
     double max_abs = 0.0;
 };
 
-// Over R, G and B of two rgba32f pictures of the same size; `b` is the reference. A NaN in either
-// makes every number NaN.
+// Value by value; `b` is the reference, as long as `a`. A NaN in either makes every number NaN.
+ImageError compare_values(std::span<const float> a, std::span<const float> b);
+
+// Over R, G and B of two rgba32f pictures of the same size.
 ImageError compare_images(const Image& a, const Image& b);
+
+// Peak signal-to-noise ratio in decibels of values whose largest is 1; infinite where mse is 0.
+double psnr(double mse);
 
 }  // namespace hm

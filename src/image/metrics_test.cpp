@@ -36,5 +36,11 @@ TEST(CompareImages, NanIsNotLost) {
     EXPECT_TRUE(std::isnan(error.relative_mse) && std::isnan(error.max_abs));
 }
 
+TEST(Psnr, Decibels) {
+    EXPECT_DOUBLE_EQ(psnr(1.0), 0.0);
+    EXPECT_DOUBLE_EQ(psnr(1e-4), 40.0);
+    EXPECT_TRUE(std::isinf(psnr(0.0)));
+}
+
 }  // namespace
 }  // namespace hm

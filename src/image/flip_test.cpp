@@ -1,0 +1,81 @@
+// What FLIP must be by its definition; tests/flip compares it with the published package.
+#include "image/flip.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/test_images.h"
+
+namespace hm {
+namespace {
+
+using namespace testing_images;
+
+Image filled(float r, float g, float b) {
+    Image image = make_image(24, 20, PixelFormat::rgba32f);
+    for (std::size_t i = 0; i < 24 * 20; ++i) {
+        set_component(image, i, 0, r), set_component(image, i, 1, g);
+        set_component(image, i, 2, b), set_component(image, i, 3, 1.0f);
+    }
+    return image;
+}
+
+TEST(Flip, EqualPicturesHaveNoError) {
+    const Image image = filled(0.2f, 0.5f, 0.7f);
+    EXPECT_EQ(mean(ldr_flip(image, image)), 0.0);
+    EXPECT_EQ(mean(hdr_flip(image, image).error), 0.0);
+}
+
+// Without structure only the colours' distance is left. Black and white are 100 apart in lightness;
+// green and blue are as far apart as FLIP goes.
+TEST(Flip, DistancesOfFlatColors) {
+    const double green_blue = std::pow(203.301655, 0.7);  // their HyAB, worked out by hand
+    const double black_white = std::pow(100.0, 0.7);
+    const double knee = 0.4 * green_blue;
+    ASSERT_GT(black_white, knee);
+    EXPECT_NEAR(mean(ldr_flip(filled(0, 0, 0), filled(1, 1, 1))),
+                0.95 + (black_white - knee) / (green_blue - knee) * 0.05, 1e-5);
+    EXPECT_NEAR(mean(ldr_flip(filled(0, 1, 0), filled(0, 0, 1))), 1.0, 1e-5);
+}
+
+TEST(Flip, WhatADisplayCannotShowDoesNotCount) {
+    EXPECT_EQ(mean(ldr_flip(filled(1, 1, 1), filled(7, 2, 1))), 0.0);
+    EXPECT_GT(mean(hdr_flip(filled(1, 1, 1), filled(7, 2, 1)).error), 0.1);
+}
+
+TEST(Flip, ExposuresFollowTheReference) {
+    // The brightest and the median pixel are the same: one exposure, looked at twice.
+    const HdrFlip one = hdr_flip(filled(0.5f, 0.5f, 0.5f), filled(3, 3, 3));
+    EXPECT_EQ(one.exposures, 2u);
+    EXPECT_DOUBLE_EQ(one.start_exposure, one.stop_exposure);
+    // Twice the radiance asks for one stop less.
+    const HdrFlip twice = hdr_flip(filled(1, 1, 1), filled(3, 3, 3));
+    EXPECT_NEAR(twice.start_exposure, one.start_exposure - 1, 1e-6);
+    Image bright = filled(0.5f, 0.5f, 0.5f);
+    set_component(bright, 7, 1, 0.5f + 31.5f / 0.7152f);  // a luminance of 32
+    const HdrFlip many = hdr_flip(bright, bright);
+    EXPECT_NEAR(many.stop_exposure - many.start_exposure, 6, 1e-5);
+    EXPECT_NEAR(many.stop_exposure, one.stop_exposure, 1e-6);
+    // A black reference is no reason to divide by zero.
+    const HdrFlip black = hdr_flip(filled(0, 0, 0), filled(1, 1, 1));
+    EXPECT_TRUE(std::isfinite(black.start_exposure));
+    EXPECT_GT(mean(black.error), 0.9);
+}
+
+TEST(Flip, SmallPicturesWork) {
+    const Image image = make_image(1, 1, PixelFormat::rgba32f);
+    EXPECT_EQ(ldr_flip(image, image).values.size(), 1u);
+    Image dot = filled(0, 0, 0);
+    set_component(dot, 10 * 24 + 12, 1, 1.0f);
+    const Plane error = ldr_flip(filled(0, 0, 0), dot);
+    // The eye blurs: neighbours are seen to differ too, less than the pixel itself.
+    const float there = error.values[10 * 24 + 12], beside = error.values[10 * 24 + 14];
+    EXPECT_GT(there, beside);
+    EXPECT_GT(beside, 0.01f);
+    EXPECT_LE(*std::max_element(error.values.begin(), error.values.end()), 1.0f);
+}
+
+}  // namespace
+}  // namespace hm

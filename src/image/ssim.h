@@ -1,0 +1,16 @@
+// Structural similarity: Wang, Bovik, Sheikh and Simoncelli, "Image Quality Assessment: From Error
+// Visibility to Structural Similarity" (2004).
+#pragma once
+
+#include <optional>
+
+#include "image/plane.h"
+
+namespace hm {
+
+// Mean over all windows of 11 x 11 pixels, weighted by a Gaussian of sigma 1.5, with K1 = 0.01 and
+// K2 = 0.03. 1 where the two are the same. Values lie in [0, 1]. Nothing for pictures that no
+// window fits into.
+std::optional<double> ssim(const Plane& a, const Plane& b);
+
+}  // namespace hm
