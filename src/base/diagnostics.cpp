@@ -17,14 +17,13 @@ std::string Warning::line() const {
     return printable(text);
 }
 
-void Diagnostics::warn(std::string file, std::string place, std::string message,
-                       std::size_t count) {
+void Diagnostics::warn(std::string file, std::string place, std::string message) {
     // A zero byte parts the two: no path has one.
     const auto [found, is_new] = index_.try_emplace(file + '\0' + message, warnings_.size());
     if (is_new) {
-        warnings_.push_back({std::move(file), std::move(place), std::move(message), count});
+        warnings_.push_back({std::move(file), std::move(place), std::move(message)});
     } else {
-        warnings_[found->second].count += count;
+        ++warnings_[found->second].count;
     }
 }
 

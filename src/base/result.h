@@ -6,7 +6,7 @@
 
 namespace hm {
 
-// Exit codes of the program; part of the command line's contract (docs/exit-codes.md).
+// Exit codes of the program; part of the command line's contract.
 enum class ExitCode : int {
     ok = 0,
     internal = 1,       // a bug, or the machine failed us
@@ -15,9 +15,9 @@ enum class ExitCode : int {
     invalid = 4,        // an input file breaks its format's rules
     unsupported = 5,    // an input file requires what this program does not have
     unwritable = 6,     // an output can't be written
-    no_device = 7,      // there is no Vulkan loader or driver, or no device that has what we need
+    no_device = 7,      // there is no Vulkan loader or driver, or no device that has what we need;
+                        // or no library to denoise with
     device_failed = 8,  // a device that we had ran out of memory or was lost
-    warned = 10,        // `info` only: the file renders, with warnings
     interrupted = 130,
 };
 

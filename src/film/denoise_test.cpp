@@ -1,0 +1,237 @@
+// Denoising with the library, where scripts/fetch-oidn.sh has put it, and what is said without.
+#include "film/denoise.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <random>
+
+#include "film/oidn_library.h"
+#include "image/metrics.h"
+#include "shading/lang.h"
+
+namespace hm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kSide = 96;
+
+vec4 pixel(const Image& image, std::uint32_t x, std::uint32_t y) {
+    vec4 value;
+    std::memcpy(&value, &image.pixels[(std::size_t(y) * image.width + x) * 16], 16);
+    return value;
+}
+
+void set_pixel(Image& image, std::uint32_t x, std::uint32_t y, vec4 value) {
+    std::memcpy(&image.pixels[(std::size_t(y) * image.width + x) * 16], &value, 16);
+}
+
+Image drawn(const std::function<vec4(std::uint32_t, std::uint32_t)>& draw) {
+    Image image{kSide, kSide, PixelFormat::rgba32f, {}};
+    image.pixels.resize(std::size_t(kSide) * kSide * 16);
+    for (std::uint32_t y = 0; y < kSide; ++y)
+        for (std::uint32_t x = 0; x < kSide; ++x)
+            set_pixel(image, x, y, draw(x, y));
+    return image;
+}
+
+// A bright square of texture in front of a darker gradient, far above what a display shows.
+bool in_square(std::uint32_t x, std::uint32_t y) {
+    return x >= 30 && x < 66 && y >= 24 && y < 72;
+}
+vec3 texture(std::uint32_t x, std::uint32_t y) {
+    return in_square(x, y) ? ((x / 3 + y / 3) % 2 == 0 ? vec3(0.9f, 0.6f, 0.2f) : vec3(0.2f))
+                           : vec3(0.5f);
+}
+vec4 truth(std::uint32_t x, std::uint32_t y) {
+    const float light = in_square(x, y) ? 30.0f : 2.0f + 0.02f * float(y);
+    return vec4(texture(x, y) * light, 1.0f);
+}
+
+struct Scene {
+    Image clean = drawn(truth);
+    Image noisy;
+    Image albedo = drawn([](auto x, auto y) { return vec4(texture(x, y), 1); });
+    Image normal =
+        drawn([](auto x, auto y) { return in_square(x, y) ? vec4(0, 0, 1, 1) : vec4(0, 1, 0, 1); });
+
+    Scene() {
+        std::mt19937 random(7);
+        std::gamma_distribution<float> noise(2.0f, 0.5f);  // mean 1, like light that may miss
+        noisy = drawn([&](auto x, auto y) { return truth(x, y) * vec4(vec3(noise(random)), 1); });
+    }
+    DenoiseInput input() const {
+        return {.beauty = &noisy, .albedo = &albedo, .normal = &normal, .clean_guides = true};
+    }
+};
+
+// Skips where the library was never fetched; where it was, it has to work.
+class Denoise : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        const char* source = std::getenv("HIMALAYA_SOURCE_DIR");
+        const bool fetched =
+            source != nullptr && fs::exists(fs::path(source) / "build/oidn/version");
+        auto opened = Denoiser::open(DenoiseDevice::cpu, 0);
+        if (!opened && !fetched) GTEST_SKIP() << opened.error().line();
+        ASSERT_TRUE(opened) << opened.error().line();
+        denoiser_.emplace(std::move(*opened));
+    }
+
+    Denoised run(const DenoiseInput& input) {
+        auto result = denoiser_->denoise(input);
+        EXPECT_TRUE(result) << result.error().line();
+        return std::move(*result);
+    }
+
+    std::optional<Denoiser> denoiser_;
+    Scene scene_;
+};
+
+TEST_F(Denoise, SaysWhatItIs) {
+    EXPECT_EQ(denoiser_->description().find("Open Image Denoise 2."), 0u);
+    EXPECT_NE(denoiser_->description().find("on cpu"), std::string::npos);
+}
+
+TEST_F(Denoise, ComesCloserToTheTruthAndGuidesHelp) {
+    const double noisy = compare_images(scene_.noisy, scene_.clean).relative_mse;
+    const Denoised guided = run(scene_.input());
+    const double with = compare_images(guided.picture, scene_.clean).relative_mse;
+    DenoiseInput alone;
+    alone.beauty = &scene_.noisy;
+    const double without = compare_images(run(alone).picture, scene_.clean).relative_mse;
+    EXPECT_LT(with, 0.1 * noisy);
+    EXPECT_LT(without, noisy);
+    EXPECT_LT(with, without);
+    EXPECT_EQ(guided.replaced_pixels, 0u);
+    // Radiance is not clamped: the square's light texels are at 27.
+    EXPECT_GT(pixel(guided.picture, 49, 49).x, 5.0f);
+}
+
+TEST_F(Denoise, NoisyGuidesAreDenoisedFirst) {
+    std::mt19937 random(3);
+    std::normal_distribution<float> noise(0.0f, 0.1f);
+    Image noisy_albedo =
+        drawn([&](auto x, auto y) { return vec4(texture(x, y) + vec3(noise(random)), 1); });
+    DenoiseInput input = scene_.input();
+    input.albedo = &noisy_albedo;
+    input.clean_guides = false;
+    const double prefiltered = compare_images(run(input).picture, scene_.clean).relative_mse;
+    input.clean_guides = true;  // a lie
+    const double taken_as_clean = compare_images(run(input).picture, scene_.clean).relative_mse;
+    EXPECT_LT(prefiltered, taken_as_clean);
+}
+
+TEST_F(Denoise, BrokenPixelsAreReplacedAndCounted) {
+    Image broken = scene_.noisy;
+    set_pixel(broken, 10, 10, vec4(std::nanf(""), 1, 1, 1));
+    set_pixel(broken, 50, 40, vec4(std::numeric_limits<float>::infinity()));
+    Image broken_normal = scene_.normal;
+    set_pixel(broken_normal, 1, 1, vec4(std::nanf("")));
+    DenoiseInput input = scene_.input();
+    input.beauty = &broken;
+    input.normal = &broken_normal;
+    const Denoised result = run(input);
+    EXPECT_EQ(result.replaced_pixels, 3u);
+    for (std::uint32_t y = 0; y < kSide; ++y)
+        for (std::uint32_t x = 0; x < kSide; ++x) {
+            const vec4 p = pixel(result.picture, x, y);
+            ASSERT_TRUE(std::isfinite(p.x + p.y + p.z + p.w)) << x << ", " << y;
+        }
+    EXPECT_LT(compare_images(result.picture, scene_.clean).relative_mse,
+              0.1 * compare_images(scene_.noisy, scene_.clean).relative_mse);
+    EXPECT_TRUE(std::isnan(pixel(broken, 10, 10).x));  // the raw picture stays
+}
+
+TEST_F(Denoise, AlphaIsDenoisedWhereAskedFor) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> coin(0, 1);
+    const auto coverage = [](auto x, auto y) { return in_square(x, y) ? 0.5f : 0.0f; };
+    // Four samples that each hit a half-transparent square or not.
+    Image noisy = drawn([&](auto x, auto y) {
+        float hits = 0;
+        for (int i = 0; i < 4; ++i)
+            hits += coin(random) < coverage(x, y) ? 0.25f : 0.0f;
+        return vec4(vec3(hits), hits);
+    });
+    const auto alpha_error = [&](const Image& image) {
+        double sum = 0;
+        for (std::uint32_t y = 0; y < kSide; ++y)
+            for (std::uint32_t x = 0; x < kSide; ++x)
+                sum += std::pow(double(pixel(image, x, y).w - coverage(x, y)), 2);
+        return sum / (kSide * kSide);
+    };
+    DenoiseInput input = scene_.input();
+    input.beauty = &noisy;
+    EXPECT_EQ(alpha_error(run(input).picture), alpha_error(noisy));
+    input.alpha = true;
+    const Denoised result = run(input);
+    EXPECT_LT(alpha_error(result.picture), 0.2 * alpha_error(noisy));
+    for (std::uint32_t i = 0; i < kSide; ++i)
+        EXPECT_TRUE(pixel(result.picture, i, i).w >= 0 && pixel(result.picture, i, i).w <= 1);
+    // The same everywhere: there is no noise, and nothing may change.
+    DenoiseInput opaque = scene_.input();
+    opaque.alpha = true;
+    EXPECT_EQ(pixel(run(opaque).picture, 3, 3).w, 1.0f);
+}
+
+TEST_F(Denoise, TheSameInputGivesTheSameBits) {
+    EXPECT_EQ(run(scene_.input()).picture.pixels, run(scene_.input()).picture.pixels);
+}
+
+TEST_F(Denoise, ADeviceThatIsNotThereIsNamed) {
+    const auto opened = Denoiser::open(DenoiseDevice::hip, 0);
+    if (opened) GTEST_SKIP() << "this machine has an AMD GPU";
+    EXPECT_EQ(opened.error().code, ExitCode::no_device);
+    EXPECT_NE(opened.error().message.find("has no hip device; it finds"), std::string::npos)
+        << opened.error().message;
+}
+
+// HIMALAYA_OIDN for the length of a test.
+class Chosen {
+  public:
+    explicit Chosen(const fs::path& value) {
+        if (const char* before = std::getenv("HIMALAYA_OIDN")) before_ = before;
+        ::setenv("HIMALAYA_OIDN", value.c_str(), 1);
+    }
+    ~Chosen() {
+        if (before_)
+            ::setenv("HIMALAYA_OIDN", before_->c_str(), 1);
+        else
+            ::unsetenv("HIMALAYA_OIDN");
+    }
+
+  private:
+    std::optional<std::string> before_;
+};
+
+TEST(OidnLibrary, WithoutItTheErrorSaysHowToGetIt) {
+    const Chosen chosen("/nowhere/at/all");
+    const auto opened = Denoiser::open(DenoiseDevice::fastest, 0);
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().code, ExitCode::no_device);
+    for (const char* part : {"HIMALAYA_OIDN is \"/nowhere/at/all\"", "libOpenImageDenoise.so.2",
+                             "scripts/fetch-oidn.sh"})
+        EXPECT_NE(opened.error().message.find(part), std::string::npos) << opened.error().message;
+}
+
+TEST(OidnLibrary, WhatIsNoneIsRefused) {
+    const char* source = std::getenv("HIMALAYA_SOURCE_DIR");
+    ASSERT_NE(source, nullptr);
+    const Chosen chosen(fs::path(source) / "README.md");
+    const auto library = oidn::load_library();
+    ASSERT_FALSE(library);
+    EXPECT_EQ(library.error().code, ExitCode::no_device);
+    EXPECT_NE(library.error().message.find("README.md"), std::string::npos)
+        << library.error().message;
+}
+
+}  // namespace
+}  // namespace hm
