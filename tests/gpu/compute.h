@@ -2,7 +2,6 @@
 // compare the shared shading files compiled as GLSL with the same files compiled as C++.
 //
 // A failure throws std::runtime_error with the Vulkan call and its result; GoogleTest reports it.
-// What the validation layer says is a failure too.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +15,7 @@ namespace hm::test {
 
 class ComputeDevice {
   public:
-    // The one that all tests of the GPU run on (rhi/test_device.h).
+    // The fastest kind of device that the loader offers and that has scalar block layout.
     ComputeDevice();
     ~ComputeDevice();
     ComputeDevice(const ComputeDevice&) = delete;

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/cli/compare.h"
+#include "app/cli/denoise.h"
 #include "base/result.h"
 #include "film/film.h"
 #include "film/tonemap.h"
@@ -92,14 +94,11 @@ struct InfoOptions {
     bool json = false;
 };
 
-struct DoctorOptions {
-    bool json = false;
-};
-
 struct CommandLine {
     std::optional<RenderOptions> render;
     std::optional<InfoOptions> info;
-    std::optional<DoctorOptions> doctor;
+    std::optional<CompareOptions> compare;
+    std::optional<DenoiseOptions> denoise;
     std::string text;  // help or version, to be printed instead
 };
 

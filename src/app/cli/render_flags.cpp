@@ -6,26 +6,16 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/devices.h"
+#include "app/cli/flag.h"
 #include "app/cli/frames.h"
 #include "app/cli/load_flags.h"
+#include "app/cli/tone_flags.h"
 #include "app/cli/values.h"
 #include "base/files.h"
 #include "film/write.h"
 
 namespace hm::cli {
 namespace {
-
-// A flag whose text `parse` turns into the value of `target`.
-template <class Target, class Parse>
-CLI::Option* add(CLI::App& app, const std::string& name, const std::string& type, Target& target,
-                 Parse parse, const std::string& help) {
-    const auto store = [&target, name, parse](const std::string& text) {
-        auto value = parse(text);
-        if (!value) throw CLI::ValidationError(name, value.error());
-        target = *value;
-    };
-    return app.add_option_function<std::string>(name, store, help)->type_name(type);
-}
 
 auto number(float low, float high) {
     return [=](const std::string& text) { return parse_number(text, low, high); };
@@ -184,22 +174,7 @@ void add_shading(CLI::App& app, RenderOptions& o) {
                 text, {{"lambert", kDiffuseLambert}, {"burley", kDiffuseBurley}});
         },
         "lambert (the default) or burley");
-    add(
-        app, "--exposure", "EV|auto", o.exposure,
-        [](const std::string& text) -> Parsed<std::optional<float>> {
-            if (text == "auto") return std::optional<float>();
-            return parse_number(text, -32, 32).map([](float ev) { return std::optional(ev); });
-        },
-        "PNG only: multiply by 2^EV (0). auto: the log-average of what is lit becomes 0.18");
-    add(
-        app, "--tonemap", "NAME", o.tone_curve,
-        [](const std::string& text) {
-            return parse_choice<std::uint32_t>(text, {{"neutral", kToneNeutral},
-                                                      {"aces", kToneAces},
-                                                      {"agx", kToneAgx},
-                                                      {"linear", kToneLinear}});
-        },
-        "PNG only: neutral (Khronos PBR Neutral, the default), aces, agx or linear");
+    add_tone_flags(app, o.exposure, o.tone_curve);
 }
 
 void add_checks(CLI::App& app, RenderOptions& o) {

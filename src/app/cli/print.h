@@ -1,4 +1,4 @@
-// Standard output, where reports go.
+// Standard output, with its failures noticed.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace hm::cli {
 
-// Fails with ExitCode::unwritable.
+// Written out at once. Fails with ExitCode::unwritable.
 Result<void> print(std::string_view text);
 
 }  // namespace hm::cli

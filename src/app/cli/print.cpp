@@ -1,4 +1,4 @@
-#include "app/cli/output.h"
+#include "app/cli/print.h"
 
 #include <cstdio>
 

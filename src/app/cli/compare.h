@@ -1,0 +1,34 @@
+// `himalaya compare`: how far one picture is from another, for people and for scripts.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/measure.h"
+#include "base/result.h"
+
+namespace hm::cli {
+
+// The pictures differ more than the flags allow. One of the program's exit codes.
+inline constexpr ExitCode kDifferent{11};
+
+struct CompareOptions {
+    std::filesystem::path test, reference;
+    std::vector<std::string> layers;  // empty: the beauty; "all": every layer of either
+    std::filesystem::path error_picture;
+    ErrorKind error_kind = ErrorKind::flip;
+    std::optional<float> max_rmse, max_relmse, max_flip;
+    bool z_test = false;  // both must carry variance, and agree
+    bool json = false;
+};
+
+// Must outlive the parsing; flags throw CLI::ParseError.
+void add_compare_flags(CLI::App& app, CompareOptions& options);
+
+// ok, kDifferent where a limit is exceeded, or why the two can't be compared.
+Result<ExitCode> compare(const CompareOptions& options);
+
+}  // namespace hm::cli

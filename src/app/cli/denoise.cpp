@@ -1,0 +1,158 @@
+#include "app/cli/denoise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/cli/flag.h"
+#include "app/cli/json_writer.h"
+#include "app/cli/print.h"
+#include "app/cli/tone_flags.h"
+#include "app/cli/values.h"
+#include "base/files.h"
+#include "film/write.h"
+#include "image/layers.h"
+
+namespace hm::cli {
+namespace {
+
+Result<Image> guide(const DenoiseOptions& options, const LayeredImage& picture, const char* name) {
+    if (const Layer* layer = picture.find(name)) return layer_image(picture, *layer);
+    return fail(ExitCode::invalid, options.input.string(), "",
+                fmt::format("has no layer \"{}\" to guide the denoiser: render with --denoise or "
+                            "--aov albedo,normal, or give --without-guides",
+                            name));
+}
+
+// In place of an earlier one.
+void set_layer(LayeredImage& picture, Layer layer) {
+    for (Layer& old : picture.layers)
+        if (old.name == layer.name) {
+            old = std::move(layer);
+            return;
+        }
+    picture.layers.push_back(std::move(layer));
+}
+
+void set_metadata(LayeredImage& picture, const std::string& key, std::string value) {
+    for (auto& [name, old] : picture.metadata)
+        if (name == key) {
+            old = std::move(value);
+            return;
+        }
+    picture.metadata.emplace_back(key, std::move(value));
+}
+
+Result<void> write_one(const std::filesystem::path& path, const DenoiseOptions& options,
+                       const LayeredImage& picture, const Denoised& denoised, bool alpha) {
+    if (picture_kind(path) == PictureKind::exr) return write_layers(path, picture);
+    const PictureWindow& data = picture.data;
+    const float exposure = options.exposure ? *options.exposure : auto_exposure(denoised.picture);
+    // Dither follows the whole picture, whose pixels may have begun at a negative number.
+    const auto x = std::uint32_t(std::max(data.x0 - picture.display.x0, 0));
+    const auto y = std::uint32_t(std::max(data.y0 - picture.display.y0, 0));
+    return write_picture(path, denoised.picture,
+                         {.crop = {x, y, x + data.width(), y + data.height()},
+                          .alpha = alpha,
+                          .tone = {exposure, options.tone_curve}},
+                         picture.metadata);
+}
+
+std::string report(const DenoiseOptions& options, const std::string& device,
+                   const Denoised& denoised) {
+    if (!options.json)
+        return fmt::format("{}, {:.2f} s{}\n", device, denoised.seconds,
+                           denoised.replaced_pixels == 0
+                               ? ""
+                               : fmt::format("; {} pixels were not finite and were replaced by "
+                                             "their neighbours' mean",
+                                             denoised.replaced_pixels));
+    JsonWriter json;
+    json.begin_object().field("program", "himalaya " HIMALAYA_VERSION);
+    json.field("input", options.input.string()).field("denoiser", device);
+    json.field("seconds", denoised.seconds).field("replaced_pixels", denoised.replaced_pixels);
+    json.key("outputs").begin_array();
+    for (const std::filesystem::path& path : options.outputs)
+        json.value(path.string());
+    json.end_array().end_object();
+    return json.text() + "\n";
+}
+
+}  // namespace
+
+void add_denoise_device(CLI::App& app, const std::string& flag, DenoiseDevice& device) {
+    add(
+        app, flag, "NAME", device,
+        [](const std::string& text) {
+            return parse_choice<DenoiseDevice>(text, {{"auto", DenoiseDevice::fastest},
+                                                      {"cpu", DenoiseDevice::cpu},
+                                                      {"cuda", DenoiseDevice::cuda},
+                                                      {"hip", DenoiseDevice::hip},
+                                                      {"sycl", DenoiseDevice::sycl}});
+        },
+        "What denoises: auto (the fastest there is, the default), cpu, cuda, hip or sycl");
+}
+
+void add_denoise_flags(CLI::App& app, DenoiseOptions& o) {
+    app.add_option("FILE", o.input, "An .exr with the layers albedo and normal")->required();
+    const auto store = [&o](const std::vector<std::string>& paths) {
+        for (const std::string& path : paths) {
+            if (!picture_kind(path))
+                throw CLI::ValidationError("--output",
+                                           "\"" + path + "\" does not end in .exr, .png or .hdr");
+            o.outputs.emplace_back(path);
+        }
+    };
+    app.add_option_function<std::vector<std::string>>(
+           "-o,--output", store,
+           "Where to write; may be repeated. .exr: all layers of FILE and the layer \"denoised\". "
+           ".png and .hdr: the denoised picture")
+        ->type_name("PATH")
+        ->allow_extra_args(false)
+        ->required();
+    add_denoise_device(app, "--device", o.device);
+    CLI::Option* none = app.add_flag("--without-guides", o.without_guides,
+                                     "Denoise by the colours alone: details are lost");
+    app.add_flag("--clean-guides", o.clean_guides,
+                 "The albedo and normal layers are free of noise: use them as they are")
+        ->excludes(none);
+    add(
+        app, "--threads", "N", o.threads,
+        [](const std::string& text) { return parse_integer(text, 0, 1024); },
+        "Threads; 0: all cores (the default)");
+    add_tone_flags(app, o.exposure, o.tone_curve);
+    app.add_flag("--json", o.json, "Print JSON instead of text");
+}
+
+Result<ExitCode> denoise(const DenoiseOptions& options) {
+    for (const std::filesystem::path& path : options.outputs)
+        HM_TRY(check_writable(path));
+    HM_TRY_ASSIGN(LayeredImage picture, read_layers(options.input));
+    const Layer* const noisy = picture.find("");
+    if (noisy == nullptr || !noisy->find("R") || !noisy->find("G") || !noisy->find("B"))
+        return fail(ExitCode::invalid, options.input.string(), "",
+                    "has no picture: channels R, G and B without a layer's name");
+    const bool alpha = noisy->find("A") != nullptr;
+    const Image beauty = layer_image(picture, *noisy);
+    Image albedo, normal;
+    if (!options.without_guides) {
+        HM_TRY_ASSIGN(albedo, guide(options, picture, "albedo"));
+        HM_TRY_ASSIGN(normal, guide(options, picture, "normal"));
+    }
+    HM_TRY_ASSIGN(const Denoiser denoiser, Denoiser::open(options.device, options.threads));
+    HM_TRY_ASSIGN(const Denoised denoised,
+                  denoiser.denoise({.beauty = &beauty,
+                                    .albedo = options.without_guides ? nullptr : &albedo,
+                                    .normal = options.without_guides ? nullptr : &normal,
+                                    .alpha = alpha,
+                                    .clean_guides = options.clean_guides}));
+    set_layer(picture, make_layer(kDenoisedLayer, denoised.picture, alpha));
+    set_metadata(picture, "denoiser", denoiser.description());
+    for (const std::filesystem::path& path : options.outputs)
+        HM_TRY(write_one(path, options, picture, denoised, alpha));
+    HM_TRY(print(report(options, denoiser.description(), denoised)));
+    return ExitCode::ok;
+}
+
+}  // namespace hm::cli

@@ -1,0 +1,39 @@
+// `himalaya denoise`: takes the noise out of a picture that was rendered before, guided by the
+// layers in its file.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "film/denoise.h"
+#include "shading/color.h"
+
+namespace hm::cli {
+
+// The layer that the denoised picture has in a file; the picture proper stays the noisy one.
+inline constexpr const char* kDenoisedLayer = "denoised";
+
+struct DenoiseOptions {
+    std::filesystem::path input;
+    std::vector<std::filesystem::path> outputs;
+    DenoiseDevice device = DenoiseDevice::fastest;
+    bool without_guides = false;
+    bool clean_guides = false;
+    std::uint32_t threads = 0;  // 0: all
+    std::uint32_t tone_curve = kToneNeutral;
+    std::optional<float> exposure = 0.0f;  // none: auto
+    bool json = false;
+};
+
+// Both must outlive the parsing; flags throw CLI::ParseError.
+void add_denoise_flags(CLI::App& app, DenoiseOptions& options);
+// --denoise-device of `render`, --device here.
+void add_denoise_device(CLI::App& app, const std::string& flag, DenoiseDevice& device);
+
+Result<ExitCode> denoise(const DenoiseOptions& options);
+
+}  // namespace hm::cli

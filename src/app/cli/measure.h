@@ -1,0 +1,51 @@
+// The distance between two layers, by every measure that makes sense for them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "image/flip.h"
+#include "image/layers.h"
+#include "image/metrics.h"
+#include "image/plane.h"
+#include "image/z_test.h"
+
+namespace hm::cli {
+
+enum class ErrorKind { flip, rmse, relmse };
+
+// Two layers of one size and with the same channels.
+struct LayerPair {
+    const LayeredImage& test_file;
+    const Layer& test;
+    const LayeredImage& reference_file;
+    const Layer& reference;
+    bool encoded = false;  // sRGB in [0, 1], else linear
+};
+
+struct LayerError {
+    std::string name;  // as --layer has it; "beauty" for the picture proper
+    // Pixels with a value that is not finite; they count in no number below.
+    std::uint64_t not_finite_test = 0, not_finite_reference = 0;
+
+    ImageError
+        stored;  // over the values as the files have them; alpha only where there is no R, G, B
+    std::optional<double> alpha_rmse;
+
+    // Of colours alone. PSNR and SSIM are of what a display shows: linear colours go through the
+    // neutral tone curve at the exposure that `--exposure auto` finds for the reference.
+    std::optional<double> psnr_db, ssim, flip;
+    double display_exposure = 0;  // EV; linear colours only
+    HdrFlip hdr;                  // the exposures of an HDR-FLIP
+    std::optional<ZTest> z_test;
+
+    Plane picture;  // the error that was asked for, empty if none was
+};
+
+std::string shown_name(const Layer& layer);
+
+// `picture` is the kind of error to make a picture of.
+LayerError measure(const LayerPair& pair, std::optional<ErrorKind> picture);
+
+}  // namespace hm::cli

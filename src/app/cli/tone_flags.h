@@ -1,0 +1,14 @@
+// How a PNG shows radiance.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <optional>
+
+namespace hm::cli {
+
+// An exposure in EV, none for auto, and a kTone* curve. Both must outlive the parsing; flags throw
+// CLI::ParseError.
+void add_tone_flags(CLI::App& app, std::optional<float>& exposure, std::uint32_t& curve);
+
+}  // namespace hm::cli
