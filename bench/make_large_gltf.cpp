@@ -2,6 +2,8 @@
 // small mesh, or one node that draws it many times (EXT_mesh_gpu_instancing).
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -36,6 +38,17 @@ Surface make_surface(std::uint32_t n) {
     return s;
 }
 
+// "min" and "max", which positions must have.
+std::string limits_of(const std::vector<float>& positions) {
+    std::array<float, 3> low{positions[0], positions[1], positions[2]}, high = low;
+    for (std::size_t i = 3; i < positions.size(); ++i) {
+        low[i % 3] = std::min(low[i % 3], positions[i]);
+        high[i % 3] = std::max(high[i % 3], positions[i]);
+    }
+    return fmt::format(R"(,"min":[{},{},{}],"max":[{},{},{}])", low[0], low[1], low[2], high[0],
+                       high[1], high[2]);
+}
+
 // Places on a square lattice.
 std::vector<float> make_places(std::uint32_t count) {
     const auto side = std::uint32_t(std::ceil(std::sqrt(double(count))));
@@ -50,15 +63,15 @@ struct Writer {
     std::size_t count = 0;
 
     template <class T>
-    void add(const std::vector<T>& values, std::string_view type, std::size_t width,
-             int component) {
+    void add(const std::vector<T>& values, std::string_view type, std::size_t width, int component,
+             const std::string& rest = "") {
         const std::string_view comma = count == 0 ? "" : ",";
         const std::size_t bytes = values.size() * sizeof(T);
         views += fmt::format(R"({}{{"buffer":0,"byteOffset":{},"byteLength":{}}})", comma,
                              binary.size(), bytes);
         accessors +=
-            fmt::format(R"({}{{"bufferView":{},"componentType":{},"type":"{}","count":{}}})", comma,
-                        count, component, type, values.size() / width);
+            fmt::format(R"({}{{"bufferView":{},"componentType":{},"type":"{}","count":{}{}}})",
+                        comma, count, component, type, values.size() / width, rest);
         binary.append(reinterpret_cast<const char*>(values.data()), bytes);
         ++count;
     }
@@ -102,7 +115,7 @@ int main(int count, char** arguments) {
     const bool big = kind == "triangles";
     const Surface s = make_surface(big ? std::uint32_t(std::sqrt(n / 2.0)) : 16);
     Writer writer;
-    writer.add(s.positions, "VEC3", 3, 5126);
+    writer.add(s.positions, "VEC3", 3, 5126, limits_of(s.positions));
     writer.add(s.normals, "VEC3", 3, 5126);
     writer.add(s.uvs, "VEC2", 2, 5126);
     writer.add(s.indices, "SCALAR", 1, 5125);

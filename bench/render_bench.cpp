@@ -141,7 +141,7 @@ Result<std::string> measure_scene(const std::string& argument, bool errors) {
         "    {{\"scene\": \"{}\", \"triangles\": {}, \"bvh_seconds\": {:.3f}, "
         "\"instruction_set\": \"{}\",\n     {}",
         name, renderer.bvh_stats().triangles, renderer.bvh_stats().build_seconds,
-        renderer.instruction_set(), measure_rates(bench, renderer));
+        cpu_instruction_set(), measure_rates(bench, renderer));
     if (errors) json += ",\n     " + measure_errors(bench, renderer);
     return json + "}";
 }

@@ -47,13 +47,16 @@ take() {
 ldd "$build/src/app/cli/himalaya" | awk '$2 == "=>" {print $1, $3}' | while read -r library path; do
     is_of_the_system "$library" || take "$library" "$path"
 done
-# Opened by name at run time, so ldd knows nothing of it.
-loader=$(ldconfig -p | awk '$1 == "libvulkan.so.1" && /x86-64/ {print $NF; exit}')
-if [ -n "$loader" ]; then
-    take libvulkan.so.1 "$loader"
-else
-    echo "bundle: there is no libvulkan.so.1 here, so the bundle relies on the machine's own" >&2
-fi
+# Opened by name at run time, so ldd knows nothing of them: the loader, and what NVIDIA's driver
+# opens in turn. Containers often mount the driver alone, and it then offers no device.
+for library in libvulkan.so.1 libEGL.so.1 libGLdispatch.so.0; do
+    path=$(ldconfig -p | awk -v l="$library" '$1 == l && /x86-64/ {print $NF; exit}')
+    if [ -n "$path" ]; then
+        take "$library" "$path"
+    else
+        echo "bundle: there is no $library here, so the bundle relies on the machine's own" >&2
+    fi
+done
 install -m 644 "$root/LICENSE" "$root/README.md" "$work/share/doc/"
 
 # Starts from elsewhere, with none of this machine's search paths but its own folder.

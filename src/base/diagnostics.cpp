@@ -17,13 +17,14 @@ std::string Warning::line() const {
     return printable(text);
 }
 
-void Diagnostics::warn(std::string file, std::string place, std::string message) {
+void Diagnostics::warn(std::string file, std::string place, std::string message,
+                       std::size_t count) {
     // A zero byte parts the two: no path has one.
     const auto [found, is_new] = index_.try_emplace(file + '\0' + message, warnings_.size());
     if (is_new) {
-        warnings_.push_back({std::move(file), std::move(place), std::move(message)});
+        warnings_.push_back({std::move(file), std::move(place), std::move(message), count});
     } else {
-        ++warnings_[found->second].count;
+        warnings_[found->second].count += count;
     }
 }
 

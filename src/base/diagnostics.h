@@ -20,7 +20,7 @@ struct Warning {
 // In the order of their first appearance. Not for several threads at once.
 class Diagnostics {
   public:
-    void warn(std::string file, std::string place, std::string message);
+    void warn(std::string file, std::string place, std::string message, std::size_t count = 1);
     const std::vector<Warning>& warnings() const { return warnings_; }
 
   private:

@@ -6,7 +6,7 @@
 
 namespace hm {
 
-// Exit codes of the program; part of the command line's contract.
+// Exit codes of the program; part of the command line's contract (docs/exit-codes.md).
 enum class ExitCode : int {
     ok = 0,
     internal = 1,       // a bug, or the machine failed us
@@ -18,6 +18,7 @@ enum class ExitCode : int {
     no_device = 7,      // there is no Vulkan loader or driver, or no device that has what we need;
                         // or no library to denoise with
     device_failed = 8,  // a device that we had ran out of memory or was lost
+    warned = 10,        // `info` only: the file renders, with warnings
     interrupted = 130,
 };
 

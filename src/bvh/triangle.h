@@ -11,7 +11,8 @@ struct alignas(32) PacketHits {
 };
 
 // One lane in double: there the products of the edge functions are exact, so their signs are. Used
-// where single precision gives an edge function of zero or leaves its range.
+// where single precision gives an edge function of zero or leaves its range, and next to the
+// origin.
 __attribute__((noinline)) static inline bool intersect_lane_double(const BvhPacket& packet,
                                                                    std::uint32_t lane,
                                                                    const TriangleRay& ray,
@@ -76,11 +77,17 @@ HM_ALWAYS_INLINE std::uint32_t intersect_packet(const BvhPacket& packet, const T
     const Float8 u = b * inverse;
     const Float8 v = c * inverse;
     // In this form triangles of one plane across the ray are at one distance exactly.
-    const Float8 t = splat8(ray.scale_z) * (az + (u * (bz - az) + v * (cz - az)));
+    const Float8 depth = az + (u * (bz - az) + v * (cz - az));
+    const Float8 t = splat8(ray.scale_z) * depth;
     // Beyond these 1 / sum or an edge function is no longer a normal number.
     const Float8 size = highest(sum, zero - sum);
+    // The depth is off by the rounding of a narrow triangle's length, which is more than what a ray
+    // that leaves the triangle was moved off it.
+    const Float8 length = highest(highest(az, bz), cz) - lowest(lowest(az, bz), cz);
+    const Float8 near = splat8(0x1p-12f) * length;
     const std::uint32_t sure = mask_differ(a, zero) & mask_differ(b, zero) & mask_differ(c, zero) &
-                               mask_less(splat8(1e-36f), size) & mask_less(size, splat8(1e36f));
+                               mask_less(splat8(1e-36f), size) & mask_less(size, splat8(1e36f)) &
+                               mask_less(near, highest(depth, zero - depth));
     std::uint32_t hit = candidates & sure & mask_less(zero, t) & mask_less_equal(t, splat8(t_max));
     store8(hits.t, t);
     store8(hits.u, u);

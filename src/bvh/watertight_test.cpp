@@ -142,6 +142,28 @@ TEST(Watertight, RaysAlongTheGridLinesOfAFaceAreHandled) {
     }
 }
 
+// Rays that leave long narrow triangles, from points moved off them as shading does.
+TEST(Watertight, ANarrowTriangleIsNotHitByRaysThatLeaveIt) {
+    Soup soup;
+    for (int i = 0; i < 100; ++i) {
+        const float near = 0.3f * float(i) - 15;
+        soup.add({-16, 0, near}, {16, 0, near}, {16, 0, near + 0.3f});
+        soup.add({-16, 0, near}, {16, 0, near + 0.3f}, {-16, 0, near + 0.3f});
+    }
+    soup.add({-40, -40, -40}, {40, -40, -40}, {0, -40, 40});  // boxes are padded by a scene's size
+    const Bvh bvh = build_one(soup);
+    Random random{25};
+    std::vector<Ray> rays;
+    for (int i = 0; i < 50000; ++i) {
+        vec3 direction = random.direction();
+        direction.y = std::abs(direction.y);
+        rays.push_back(
+            {{random.between(-15, 15), 0x1p-16f, random.between(-14, 14)}, direction, kInfinity});
+    }
+    const Traced traced = trace_all(bvh, rays);
+    EXPECT_EQ(std::count(traced.found.begin(), traced.found.end(), 1), 0);
+}
+
 TEST(Watertight, ExtremeScalesDoNotLeak) {
     for (const float scale : {1e-20f, 1e-10f, 1e8f, 1e16f}) {
         Random random{24};

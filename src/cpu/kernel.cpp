@@ -40,7 +40,7 @@ struct Stages : KernelTables {
             return;
         }
         const HitIds ids{hit.instance, hit.geometry, hit.primitive};
-        closest_hit(payload, ids, hit.t, vec2(hit.u, hit.v), direction);
+        closest_hit(payload, ids, origin, direction);
     }
 
     bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key) {

@@ -110,19 +110,19 @@ CpuRenderer::~CpuRenderer() = default;
 const BvhStats& CpuRenderer::bvh_stats() const {
     return impl_->bvh.stats;
 }
-std::string CpuRenderer::instruction_set() const {
-    return impl_->isa.name;
+std::string cpu_instruction_set() {
+    return choose_instruction_set().name;
 }
 
 std::string CpuRenderer::device() const {
-    return fmt::format("CPU ({})", instruction_set());
+    return fmt::format("CPU ({})", impl_->isa.name);
 }
 
 RendererReport CpuRenderer::report() const {
     const BvhStats& s = bvh_stats();
     return {.kind = "cpu",
             .device = "CPU",
-            .variant = instruction_set(),
+            .variant = impl_->isa.name,
             .build_seconds = s.build_seconds,
             .structure_bytes = s.bytes,
             .structure = {{"triangles", s.triangles},

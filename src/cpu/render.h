@@ -10,6 +10,9 @@
 
 namespace hm {
 
+// "baseline", "avx2" or "avx512": what the stages run as on this processor.
+std::string cpu_instruction_set();
+
 class CpuRenderer final : public Renderer {
   public:
     // Builds the BVH. `scene` must outlive the renderer. threads 0: all cores.
@@ -25,7 +28,6 @@ class CpuRenderer final : public Renderer {
     RendererReport report() const override;
 
     const BvhStats& bvh_stats() const;
-    std::string instruction_set() const;  // "baseline", "avx2" or "avx512": what the stages run as
 
   private:
     struct Impl;

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -137,6 +139,56 @@ Result<void> read_sparse(const Source& source, std::size_t index, Target<Out> to
     return {};
 }
 
+// A component as `min` and `max` have it as one of the decoded elements.
+float decoded(float stored, const Accessor& accessor) {
+    if (!accessor.normalized) return stored;
+    switch (accessor.component) {
+        case ComponentType::int8:
+            return std::max(stored / 127.0f, -1.0f);
+        case ComponentType::uint8:
+            return stored / 255.0f;
+        case ComponentType::int16:
+            return std::max(stored / 32767.0f, -1.0f);
+        case ComponentType::uint16:
+            return stored / 65535.0f;
+        case ComponentType::uint32:
+        case ComponentType::float32:
+            return stored;
+    }
+    return stored;
+}
+
+struct Limits {
+    std::array<float, 16> min, max;
+};
+
+// Of each component, the least and the greatest.
+Limits limits_of(std::size_t count, std::size_t width, Target<const float> values) {
+    Limits none;
+    none.min.fill(std::numeric_limits<float>::infinity());
+    none.max.fill(-std::numeric_limits<float>::infinity());
+    const auto join = [width](Limits a, const Limits& b) {
+        for (std::size_t c = 0; c < width; ++c) {
+            a.min[c] = std::min(a.min[c], b.min[c]);
+            a.max[c] = std::max(a.max[c], b.max[c]);
+        }
+        return a;
+    };
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, count, kGrain), none,
+        [&](const auto& range, Limits found) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                const float* element = values.first + i * values.stride;
+                for (std::size_t c = 0; c < width; ++c) {
+                    found.min[c] = std::min(found.min[c], element[c]);
+                    found.max[c] = std::max(found.max[c], element[c]);
+                }
+            }
+            return found;
+        },
+        join);
+}
+
 template <class Out>
 Result<void> read_to(const Source& source, std::size_t index, Target<Out> to) {
     const Accessor& accessor = source.accessors[index];
@@ -211,6 +263,25 @@ Result<void> check_finite(const Source& source, std::size_t accessor, Target<con
     const bool nan = std::any_of(element, element + width, [](float x) { return std::isnan(x); });
     return fail(ExitCode::invalid, source.file, accessor_place(accessor),
                 fmt::format("element {} is {}", bad, nan ? "not a number" : "infinite"));
+}
+
+void check_limits(Source& source, std::size_t index, Target<const float> values) {
+    const Accessor& accessor = source.accessors[index];
+    if (accessor.min.empty() || accessor.max.empty())
+        return source.warn(accessor_place(index), "lacks the min and max that its use requires");
+    const std::size_t width = accessor.min.size();
+    const Limits found = limits_of(accessor.count, width, values);
+    for (std::size_t c = 0; c < width; ++c)
+        if (decoded(accessor.min[c], accessor) != found.min[c] ||
+            decoded(accessor.max[c], accessor) != found.max[c])
+            return source.warn(accessor_place(index),
+                               "its min and max are not those of its elements, which are used");
+}
+
+void check_alignment(Source& source, std::size_t index) {
+    const Accessor& accessor = source.accessors[index];
+    if (accessor.view && (accessor.offset % 4 != 0 || accessor.stride % 4 != 0))
+        source.warn(accessor_place(index), "vertex data that is not aligned to 4 bytes");
 }
 
 }  // namespace hm::gltf

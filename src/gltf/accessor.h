@@ -34,4 +34,11 @@ Result<void> check_finite(const Source& source, std::size_t accessor,
                           const std::vector<float>& values);
 Result<void> check_finite(const Source& source, std::size_t accessor, Target<const float> values);
 
+// Warns where the file's min and max, which only some uses of accessors need, are missing or are
+// not those of these values.
+void check_limits(Source& source, std::size_t accessor, Target<const float> values);
+
+// Warns where elements do not start at multiples of 4 bytes, as those of vertex data do (3.6.2.4).
+void check_alignment(Source& source, std::size_t accessor);
+
 }  // namespace hm::gltf

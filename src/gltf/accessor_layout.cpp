@@ -63,6 +63,8 @@ Result<Region> read_region(const Json& item, const Source& source, std::uint64_t
     HM_TRY_ASSIGN(const auto offset, item.integer("byteOffset"));
     region.offset = offset.value_or(0);
     const BufferView& view = source.views[region.view];
+    if (view.stride != 0)
+        return item.invalid("bufferView", "it has a byteStride, which is for vertex data only");
     if ((view.offset + region.offset) % alignment != 0)
         return item.invalid("byteOffset", fmt::format("not aligned to {} bytes", alignment));
     if (region.offset > view.length || count * size > view.length - region.offset)
@@ -120,8 +122,18 @@ Result<void> place_in_view(const Json& item, const Source& source, Accessor& acc
     return {};
 }
 
+// "min" or "max": a number per component; empty where absent.
+Result<std::vector<float>> read_limit(const Json& item, std::string_view key, ElementType type) {
+    std::vector<float> limit;
+    if (!item.has(key)) return limit;
+    limit.resize(component_count(type));
+    HM_TRY(item.numbers(key, limit));
+    return limit;
+}
+
 Result<Accessor> read_accessor(const Json& item, Source& source) {
     Accessor accessor;
+    HM_TRY(item.name());
     HM_TRY_ASSIGN(accessor.component, read_component_type(item));
     HM_TRY_ASSIGN(accessor.type, read_element_type(item));
     HM_TRY_ASSIGN(accessor.normalized, item.flag("normalized"));
@@ -142,6 +154,8 @@ Result<Accessor> read_accessor(const Json& item, Source& source) {
     if (sparse) {
         HM_TRY_ASSIGN(accessor.sparse, read_sparse(*sparse, source, accessor));
     }
+    HM_TRY_ASSIGN(accessor.min, read_limit(item, "min", accessor.type));
+    HM_TRY_ASSIGN(accessor.max, read_limit(item, "max", accessor.type));
     return accessor;
 }
 
@@ -170,8 +184,8 @@ std::uint32_t component_count(ElementType type) {
 Result<void> read_accessors(const Json& root, Source& source) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("accessors"));
     for (const Json& item : items) {
-        HM_TRY_ASSIGN(const Accessor accessor, read_accessor(item, source));
-        source.accessors.push_back(accessor);
+        HM_TRY_ASSIGN(Accessor accessor, read_accessor(item, source));
+        source.accessors.push_back(std::move(accessor));
     }
     return {};
 }

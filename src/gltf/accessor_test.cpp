@@ -149,6 +149,26 @@ TEST(Accessor, NotFinitePositionsAreNamed) {
     }
 }
 
+TEST(Accessor, LimitsAreThoseOfTheElements) {
+    const auto load = [](const char* limits) {
+        const std::string bytes =
+            bytes_of(std::vector<std::int16_t>{-32768, 0, 1, 0, 32767, 5, 0, 0, 0, 0, 0, 0});
+        Overrides all = one_accessor(
+            bytes, R"({"buffer":0,"byteLength":24,"byteStride":8})",
+            fmt::format(R"({{"bufferView":0,"componentType":5122,"type":"VEC3","count":3,
+                "normalized":true{}}})",
+                        limits));
+        all["extensionsUsed"] = R"(["KHR_mesh_quantization"])";
+        return load_text(document(all));
+    };
+    // Of normalized integers the limits are the integers.
+    EXPECT_EQ(load(R"(,"min":[-32768,0,0],"max":[32767,5,1])").warned("/accessors/0", "min"), 0u);
+    EXPECT_EQ(load(R"(,"min":[-32768,0,0],"max":[32767,6,1])")
+                  .warned("/accessors/0", "not those of its elements"),
+              1u);
+    EXPECT_EQ(load(R"(,"max":[32767,5,1])").warned("/accessors/0", "lacks the min"), 1u);
+}
+
 // Positions 0..3 in view 0, sparse indices (u8) in view 1, values in view 2.
 Overrides sparse(const std::vector<std::uint8_t>& indices, const std::string& accessor,
                  std::size_t count) {

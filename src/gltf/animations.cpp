@@ -2,32 +2,44 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include "gltf/accessor.h"
+#include "gltf/animation_pointer.h"
 #include "gltf/budget.h"
+#include "scene/animated_values.h"
 
 namespace hm::gltf {
 namespace {
+
+// Integers that may stand for floats.
+enum class Integers { none, normalized, any };
 
 struct PathName {
     std::string_view name;
     AnimatedProperty property;
     ElementType type;
-    bool encoded;  // normalized integers are allowed
+    Integers integers;
 };
 constexpr std::array<PathName, 4> kPaths{
-    {{"translation", AnimatedProperty::translation, ElementType::vec3, false},
-     {"rotation", AnimatedProperty::rotation, ElementType::vec4, true},
-     {"scale", AnimatedProperty::scale, ElementType::vec3, false},
-     {"weights", AnimatedProperty::weights, ElementType::scalar, true}}};
+    {{"translation", AnimatedProperty::translation, ElementType::vec3, Integers::none},
+     {"rotation", AnimatedProperty::rotation, ElementType::vec4, Integers::normalized},
+     {"scale", AnimatedProperty::scale, ElementType::vec3, Integers::none},
+     {"weights", AnimatedProperty::weights, ElementType::scalar, Integers::normalized}}};
 
 const PathName* find_path(std::string_view name) {
     for (const PathName& path : kPaths)
         if (path.name == name) return &path;
     return nullptr;
+}
+
+const PathName& path_of(AnimatedProperty property) {
+    return *std::find_if(kPaths.begin(), kPaths.end(),
+                         [&](const PathName& path) { return path.property == property; });
 }
 
 Result<Interpolation> read_interpolation(const Json& json) {
@@ -60,6 +72,7 @@ Result<std::vector<float>> read_times(const Json& json, Source& source) {
     if (accessor.type != ElementType::scalar || accessor.component != ComponentType::float32)
         return json.invalid("input", "times are scalars of floats");
     HM_TRY_ASSIGN(std::vector<float> times, read_values(json, source, index));
+    check_limits(source, index, {times.data(), 1});
     for (std::size_t i = 0; i < times.size(); ++i)
         if (times[i] < 0 || (i > 0 && !(times[i] > times[i - 1])))
             return json.invalid("input",
@@ -97,43 +110,60 @@ Result<void> check_rotations(const Source& source, const FileSampler& from) {
     return {};
 }
 
-// The sampler's output is what the channel's property takes, `per_key` elements for each key.
-Result<void> check_output(const Json& channel, const Source& source, const PathName& path,
-                          std::size_t per_key, const FileSampler& from) {
+// What a channel needs its sampler's output to be.
+struct Needed {
+    std::string_view name;
+    ElementType type;
+    Integers integers;
+    std::size_t per_key = 1;  // elements
+};
+
+bool has_component(const Accessor& accessor, Integers integers) {
+    return accessor.component == ComponentType::float32 || integers == Integers::any ||
+           (integers == Integers::normalized && accessor.normalized);
+}
+
+Result<void> check_output(const Json& channel, const Source& source, const Needed& needed,
+                          const FileSampler& from) {
     const Accessor& accessor = source.accessors[from.output];
-    if (accessor.type != path.type ||
-        (accessor.component != ComponentType::float32 && !(path.encoded && accessor.normalized)))
+    if (accessor.type != needed.type || !has_component(accessor, needed.integers))
         return channel.invalid("sampler",
                                fmt::format("its output, accessor {}, has a type that {} can't have",
-                                           from.output, path.name));
+                                           from.output, needed.name));
     const bool cubic = from.sampler.interpolation == Interpolation::cubic_spline;
     const std::uint64_t expected =
-        std::uint64_t{from.sampler.times.size()} * per_key * (cubic ? 3u : 1u);
+        std::uint64_t{from.sampler.times.size()} * needed.per_key * (cubic ? 3u : 1u);
     if (accessor.count != expected)
         return channel.invalid("sampler", fmt::format("its output, accessor {}, has {} elements "
                                                       "where {} are needed",
                                                       from.output, accessor.count, expected));
-    if (path.property == AnimatedProperty::rotation) return check_rotations(source, from);
     return {};
 }
 
 class AnimationReader {
   public:
-    AnimationReader(Source& source, const std::vector<int>& scene_node, const Scene& scene)
-        : source_(source), scene_node_(scene_node), scene_(scene) {}
+    AnimationReader(const Json& root, Source& source, const std::vector<int>& scene_node,
+                    const Scene& scene)
+        : root_(root), source_(source), scene_node_(scene_node), scene_(scene) {}
 
     Result<Animation> read(const Json& json);
 
   private:
     Result<void> read_channel(const Json& json);
+    Result<void> read_pointer_channel(const Json& json, const Json& target, std::size_t sampler);
+    Result<void> add(const Json& json, const Json& target, std::size_t sampler, std::size_t node,
+                     const PathName& path);
+    Result<void> add(const Json& json, std::size_t sampler, std::size_t owner, AnimatedValue value);
     Result<std::size_t> values_per_key(const Json& target, const PathName& path, const Node& node);
 
+    const Json& root_;
     Source& source_;
     const std::vector<int>& scene_node_;
     const Scene& scene_;
     Animation animation_;
     std::vector<FileSampler> samplers_;
-    std::set<std::pair<std::size_t, AnimatedProperty>> targets_;  // nodes of the file
+    // By the file's numbers.
+    std::set<std::pair<std::size_t, std::variant<AnimatedProperty, AnimatedValue>>> targets_;
 };
 
 Result<std::size_t> AnimationReader::values_per_key(const Json& target, const PathName& path,
@@ -148,26 +178,72 @@ Result<std::size_t> AnimationReader::values_per_key(const Json& target, const Pa
     return count;
 }
 
+Result<void> AnimationReader::add(const Json& json, const Json& target, std::size_t sampler,
+                                  std::size_t node, const PathName& path) {
+    if (!targets_.emplace(node, path.property).second)
+        return json.invalid("target", "another channel of the animation has the same target");
+    const int index = scene_node_[node];
+    if (index == kUnset) return {};
+    HM_TRY_ASSIGN(const std::size_t per_key,
+                  values_per_key(target, path, scene_.nodes[std::size_t(index)]));
+    const FileSampler& from = samplers_[sampler];
+    HM_TRY(check_output(json, source_, {path.name, path.type, path.integers, per_key}, from));
+    if (path.property == AnimatedProperty::rotation) HM_TRY(check_rotations(source_, from));
+    animation_.channels.push_back({sampler, std::size_t(index), path.property});
+    return {};
+}
+
+Result<void> AnimationReader::add(const Json& json, std::size_t sampler, std::size_t owner,
+                                  AnimatedValue value) {
+    if (!targets_.emplace(owner, value).second)
+        return json.invalid("target", "another channel of the animation has the same target");
+    const FileSampler& from = samplers_[sampler];
+    const ElementType type = width(value) == 4   ? ElementType::vec4
+                             : width(value) == 3 ? ElementType::vec3
+                                                 : ElementType::scalar;
+    HM_TRY(check_output(json, source_, {"its target", type, Integers::any}, from));
+    if (value == AnimatedValue::node_visible) {
+        const Accessor& output = source_.accessors[from.output];
+        if (output.component != ComponentType::uint8 || output.normalized ||
+            from.sampler.interpolation != Interpolation::step)
+            return json.invalid("sampler", "visibility takes steps of unsigned bytes");
+        if (scene_node_[owner] == kUnset) return {};
+        owner = std::size_t(scene_node_[owner]);
+    }
+    animation_.values.push_back({sampler, value, owner, get_value(scene_, value, owner)});
+    return {};
+}
+
+Result<void> AnimationReader::read_pointer_channel(const Json& json, const Json& target,
+                                                   std::size_t sampler) {
+    HM_TRY_ASSIGN(const auto pointed, read_pointer(root_, target));
+    if (!pointed) {
+        source_.warn(target.place(), "a channel whose target can't be animated is left out");
+        return {};
+    }
+    if (const auto* property = std::get_if<AnimatedProperty>(&pointed->what)) {
+        PathName path = path_of(*property);
+        path.integers = Integers::any;
+        return add(json, target, sampler, pointed->owner, path);
+    }
+    if (const auto* value = std::get_if<AnimatedValue>(&pointed->what))
+        return add(json, sampler, pointed->owner, *value);
+    return {};
+}
+
 Result<void> AnimationReader::read_channel(const Json& json) {
     HM_TRY_ASSIGN(const std::size_t sampler,
                   json.required("sampler", json.index("sampler", samplers_.size(), "samplers")));
     HM_TRY_ASSIGN(const Json target, json.required("target", json.object("target")));
     HM_TRY_ASSIGN(const auto node, target.index("node", scene_node_.size(), "nodes"));
     HM_TRY_ASSIGN(const std::string_view name, target.required("path", target.text("path")));
+    if (name == "pointer") return read_pointer_channel(json, target, sampler);
     const PathName* path = find_path(name);
     if (path == nullptr || !node) {
         source_.warn(target.place(), "a channel whose target is not known is left out");
         return {};
     }
-    if (!targets_.emplace(*node, path->property).second)
-        return json.invalid("target", "another channel of the animation has the same target");
-    const int index = scene_node_[*node];
-    if (index == kUnset) return {};
-    HM_TRY_ASSIGN(const std::size_t per_key,
-                  values_per_key(target, *path, scene_.nodes[std::size_t(index)]));
-    HM_TRY(check_output(json, source_, *path, per_key, samplers_[sampler]));
-    animation_.channels.push_back({sampler, std::size_t(index), path->property});
-    return {};
+    return add(json, target, sampler, *node, *path);
 }
 
 Result<Animation> AnimationReader::read(const Json& json) {
@@ -194,7 +270,8 @@ Result<std::vector<Animation>> read_animations(const Json& root, Source& source,
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("animations"));
     std::vector<Animation> out;
     for (const Json& item : items) {
-        HM_TRY_ASSIGN(Animation animation, AnimationReader(source, scene_node, scene).read(item));
+        HM_TRY_ASSIGN(Animation animation,
+                      AnimationReader(root, source, scene_node, scene).read(item));
         out.push_back(std::move(animation));
     }
     return out;

@@ -5,15 +5,21 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 
 namespace hm::gltf {
 namespace {
 
 constexpr std::string_view kQuantization = "KHR_mesh_quantization";
-constexpr std::array<std::string_view, 8> kSupported{
-    "EXT_mesh_gpu_instancing", "KHR_lights_punctual",    "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",     "KHR_materials_variants", kQuantization,
-    "KHR_node_visibility",     "KHR_texture_transform"};
+constexpr std::array<std::string_view, 9> kSupported{"EXT_mesh_gpu_instancing",
+                                                     "KHR_animation_pointer",
+                                                     "KHR_lights_punctual",
+                                                     "KHR_materials_emissive_strength",
+                                                     "KHR_materials_unlit",
+                                                     "KHR_materials_variants",
+                                                     kQuantization,
+                                                     "KHR_node_visibility",
+                                                     "KHR_texture_transform"};
 
 struct Version {
     unsigned major = 0;
@@ -39,6 +45,27 @@ Result<std::optional<Version>> read_version(const Json& asset, std::string_view 
     return version;
 }
 
+// One warning for each, with how many objects have it.
+void warn_of_ignored(const Json& root, const std::vector<std::string_view>& used, Source& source) {
+    auto uses = root.extension_uses();
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const std::size_t count = std::exchange(uses[used[i]], 0);
+        const bool is_first =
+            std::find(used.begin(), used.end(), used[i]) - used.begin() == std::ptrdiff_t(i);
+        if (!is_supported(used[i]) && is_first)
+            source.warn(fmt::format("/extensionsUsed/{}", i),
+                        fmt::format("extension {} is not supported and ignored", excerpt(used[i])),
+                        std::max<std::size_t>(count, 1));
+    }
+    for (const auto& [name, count] : uses)
+        if (!is_supported(name) && count > 0)
+            source.warn(
+                "/extensionsUsed",
+                fmt::format("does not list extension {}, which is not supported and ignored",
+                            excerpt(name)),
+                count);
+}
+
 }  // namespace
 
 bool is_supported(std::string_view extension) {
@@ -48,6 +75,8 @@ bool is_supported(std::string_view extension) {
 Result<void> check_asset(const Json& root) {
     HM_TRY_ASSIGN(const Json asset, root.required("asset", root.object("asset")));
     HM_TRY_ASSIGN(const Version version, asset.required("version", read_version(asset, "version")));
+    HM_TRY(asset.text("generator"));
+    HM_TRY(asset.text("copyright"));
     if (version.major != 2)
         return asset.fail(
             ExitCode::unsupported, "version",
@@ -73,10 +102,7 @@ Result<void> check_extensions(const Json& root, Source& source) {
                          fmt::format("required but not supported: {}", missing));
 
     HM_TRY_ASSIGN(const auto used, root.texts("extensionsUsed"));
-    for (std::size_t i = 0; i < used.size(); ++i)
-        if (!is_supported(used[i]))
-            source.warn(fmt::format("/extensionsUsed/{}", i),
-                        fmt::format("extension {} is not supported and ignored", excerpt(used[i])));
+    warn_of_ignored(root, used, source);
     // Exporters forget to list it among those required.
     source.quantized = std::count(used.begin(), used.end(), kQuantization) > 0 ||
                        std::count(required.begin(), required.end(), kQuantization) > 0;

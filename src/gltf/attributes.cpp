@@ -54,7 +54,7 @@ bool is_encoded(const Accessor& accessor, Encoding use, bool quantized) {
 }
 
 // One attribute's accessor, its type and count checked.
-Result<std::optional<std::size_t>> find(const Json& attributes, const Source& source,
+Result<std::optional<std::size_t>> find(const Json& attributes, Source& source,
                                         std::string_view key, ElementType type, Encoding encoding,
                                         std::uint32_t count) {
     HM_TRY_ASSIGN(const auto index, attributes.index(key, source.accessors.size(), "accessors"));
@@ -67,6 +67,7 @@ Result<std::optional<std::size_t>> find(const Json& attributes, const Source& so
     if (count != 0 && accessor.count != count)
         return attributes.invalid(key, fmt::format("accessor {} has {} elements, POSITION has {}",
                                                    *index, accessor.count, count));
+    check_alignment(source, *index);
     return index;
 }
 
@@ -142,6 +143,8 @@ Result<void> read_colors(std::size_t accessor, Source& source, Primitive& primit
 Result<std::optional<Attributes>> read_attributes(const Json& primitive, Source& source) {
     HM_TRY_ASSIGN(const Json json,
                   primitive.required("attributes", primitive.object("attributes")));
+    for (const std::string_view key : json.keys())  // also those that nothing reads
+        HM_TRY(json.index(key, source.accessors.size(), "accessors"));
     const auto get = [&](std::string_view key, ElementType type, Encoding encoding,
                          std::uint32_t count) {
         return find(json, source, key, type, encoding, count);
@@ -177,6 +180,7 @@ Result<void> read_vertices(const Attributes& attributes, Source& source, Primiti
     primitive.vertices.assign(attributes.count, blank);
     Vertex& first = primitive.vertices[0];
     HM_TRY(read_finite(source, attributes.position, {&first.position.x, kVertexStride}));
+    check_limits(source, attributes.position, {&first.position.x, kVertexStride});
     if (attributes.normal) HM_TRY(read_normals(*attributes.normal, source, primitive));
     if (attributes.tangent) HM_TRY(read_tangents(*attributes.tangent, source, primitive));
     if (attributes.uv0) HM_TRY(read_finite(source, *attributes.uv0, {&first.uv0.x, kVertexStride}));

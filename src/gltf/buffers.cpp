@@ -17,6 +17,14 @@ std::optional<std::span<const std::byte>> chunk_of(const Source& source, std::si
     return buffer == 0 ? source.binary : std::nullopt;
 }
 
+// What a view is for; its users know that better.
+Result<void> check_target(const Json& view) {
+    HM_TRY_ASSIGN(const auto target, view.integer("target"));
+    if (target && *target != 34962 && *target != 34963)
+        return view.invalid("target", fmt::format("{} is no target", *target));
+    return {};
+}
+
 }  // namespace
 
 Result<std::vector<std::byte>> read_uri(Source& source, const Json& owner, std::string_view uri) {
@@ -49,6 +57,7 @@ Result<void> read_buffers(const Json& root, Source& source) {
     std::map<std::string_view, std::span<const std::byte>> read;  // a file named twice is read once
     for (const Json& item : items) {
         Buffer buffer;
+        HM_TRY(item.name());
         HM_TRY_ASSIGN(buffer.length, item.required("byteLength", item.integer("byteLength")));
         if (buffer.length == 0) return item.invalid("byteLength", "must not be 0");
         HM_TRY_ASSIGN(const auto uri, item.text("uri"));
@@ -76,6 +85,7 @@ Result<void> read_buffer_views(const Json& root, Source& source) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("bufferViews"));
     for (const Json& item : items) {
         BufferView view;
+        HM_TRY(item.name());
         HM_TRY_ASSIGN(
             view.buffer,
             item.required("buffer", item.index("buffer", source.buffers.size(), "buffers")));
@@ -92,6 +102,7 @@ Result<void> read_buffer_views(const Json& root, Source& source) {
             return item.invalid("byteStride",
                                 fmt::format("{} is not a multiple of 4 from 4 to 252", *stride));
         view.stride = static_cast<std::uint32_t>(stride.value_or(0));
+        HM_TRY(check_target(item));
         source.views.push_back(view);
     }
     return {};

@@ -34,7 +34,8 @@ Overrides instanced(const std::string& attributes, const std::string& rest = "")
                 {"buffer":0,"byteOffset":164,"byteLength":24},
                 {"buffer":0,"byteOffset":188,"byteLength":24},
                 {"buffer":0,"byteOffset":212,"byteLength":16}])"},
-            {"accessors", R"([{"bufferView":0,"componentType":5126,"type":"VEC3","count":3},
+            {"accessors", R"([{"bufferView":0,"componentType":5126,"type":"VEC3","count":3,
+                 "min":[0,0,0],"max":[1,2,0]},
                 {"bufferView":1,"componentType":5126,"type":"VEC3","count":2},
                 {"bufferView":2,"componentType":5126,"type":"VEC3","count":2},
                 {"bufferView":3,"componentType":5122,"type":"VEC4","count":2,"normalized":true}])"},
@@ -183,6 +184,36 @@ TEST(Quantization, IntegersOfEveryKind) {
     EXPECT_EQ(scaled.scene->meshes.at(0).primitives.at(0).vertices[1].position.x, 1.0f);
     expect_refused({{"without the extension", quantized(""),
                      "/meshes/0/primitives/0/attributes/POSITION", "can't have"}});
+}
+
+TEST(Quantization, IntegersOfMorphTargets) {
+    const auto load = [](const std::string& used, const std::string& normalized) {
+        Overrides all = quantized(used);
+        const std::string bytes =
+            bytes_of(std::vector<std::int16_t>{-32768, 1, 2, 0, 32767, 4, 5, 0, 7, 8, 9, 0}) +
+            bytes_of(std::vector<std::int8_t>{0, 0, 127, 0, 0, -127, 0, 0, -128, 0, 0, 0});
+        all["buffers"] = buffers(bytes);
+        all["bufferViews"] = R"([{"buffer":0,"byteLength":24,"byteStride":8},
+            {"buffer":0,"byteOffset":24,"byteLength":12,"byteStride":4}])";
+        all["accessors"] = fmt::format(
+            R"([{{"bufferView":0,"componentType":5122,"type":"VEC3","count":3}},
+            {{"bufferView":1,"componentType":5120,"type":"VEC3","count":3,"normalized":true}},
+            {{"bufferView":0,"componentType":5122,"type":"VEC3","count":3{}}}])",
+            normalized);
+        all["meshes"] = R"([{"weights":[1],"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},
+            "targets":[{"POSITION":2,"NORMAL":1}]}]}])";
+        return load_text(document(all));
+    };
+    const std::string used = R"(["KHR_mesh_quantization"])";
+    const Loaded plain = load(used, "");
+    ASSERT_TRUE(plain.scene) << plain.scene.error().line();
+    const std::vector<Vertex>& v = plain.scene->meshes.at(0).primitives.at(0).vertices;
+    EXPECT_EQ(v[1].position, vec3(65534, 8, 10));  // twice the short, as it is
+    EXPECT_EQ(v[1].normal, vec3(0, -1, 0));
+    const Loaded scaled = load(used, R"(,"normalized":true)");
+    ASSERT_TRUE(scaled.scene) << scaled.scene.error().line();
+    EXPECT_EQ(scaled.scene->meshes.at(0).primitives.at(0).vertices[1].position.x, 32768.0f);
+    EXPECT_FALSE(load("[]", "").scene);
 }
 
 TEST(Json, RepeatedKeysAreRefused) {

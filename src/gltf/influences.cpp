@@ -30,7 +30,7 @@ bool is_weights(const Accessor& a) {
            (a.component == ComponentType::float32 || (a.normalized && is_unsigned));
 }
 
-Result<std::optional<std::size_t>> find(const Json& attributes, const Source& source,
+Result<std::optional<std::size_t>> find(const Json& attributes, Source& source,
                                         const std::string& key, bool (*has_type)(const Accessor&),
                                         std::uint32_t count) {
     HM_TRY_ASSIGN(const auto index, attributes.index(key, source.accessors.size(), "accessors"));
@@ -42,12 +42,24 @@ Result<std::optional<std::size_t>> find(const Json& attributes, const Source& so
     if (accessor.count != count)
         return attributes.invalid(key, fmt::format("accessor {} has {} elements, POSITION has {}",
                                                    *index, accessor.count, count));
+    check_alignment(source, *index);
     return index;
 }
 
 // Sets are numbered from 0 without a gap.
-Result<std::vector<Set>> find_sets(const Json& attributes, const Source& source,
-                                   std::uint32_t count) {
+Result<void> check_gap(const Json& attributes, std::size_t set_count) {
+    std::size_t listed = 0;
+    std::string_view last;
+    for (const std::string_view key : attributes.keys()) {
+        if (!key.starts_with("JOINTS_") && !key.starts_with("WEIGHTS_")) continue;
+        ++listed;
+        last = key;
+    }
+    if (listed == 2 * set_count) return {};
+    return attributes.invalid(last, "sets of joints and weights are numbered from 0 without gaps");
+}
+
+Result<std::vector<Set>> find_sets(const Json& attributes, Source& source, std::uint32_t count) {
     std::vector<Set> sets;
     for (;;) {
         const std::string joints_key = fmt::format("JOINTS_{}", sets.size());
@@ -58,9 +70,11 @@ Result<std::vector<Set>> find_sets(const Json& attributes, const Source& source,
             return attributes.invalid(
                 joints ? joints_key : weights_key,
                 fmt::format("comes without {}", joints ? weights_key : joints_key));
-        if (!joints) return sets;
+        if (!joints) break;
         sets.push_back({*joints, *weights});
     }
+    HM_TRY(check_gap(attributes, sets.size()));
+    return sets;
 }
 
 Result<void> read_set(const Source& source, const Set& set, std::size_t number,

@@ -50,12 +50,14 @@ std::string escaped(std::string_view key) {
 }
 
 // The first key that stands twice in an object, anywhere below `value`: its tokens are put in
-// front of `place`. Which of the two values counts would depend on the reader.
-bool find_repeated_key(dom::element value, std::string& place) {
+// front of `place`. Which of the two values counts would depend on the reader. `open` holds the
+// keys of the objects around, and is left as it was.
+bool find_repeated_key(dom::element value, std::vector<std::string_view>& open,
+                       std::string& place) {
     if (value.is_array()) {
         std::size_t i = 0;
         for (const dom::element item : dom::array(value)) {
-            if (find_repeated_key(item, place)) {
+            if (find_repeated_key(item, open, place)) {
                 place = fmt::format("/{}{}", i, place);
                 return true;
             }
@@ -64,18 +66,33 @@ bool find_repeated_key(dom::element value, std::string& place) {
         return false;
     }
     if (!value.is_object()) return false;
-    std::vector<std::string_view> keys;
+    const auto first = std::ptrdiff_t(open.size());
     for (const auto& [key, item] : dom::object(value)) {
-        keys.push_back(key);
-        if (!find_repeated_key(item, place)) continue;
+        open.push_back(key);
+        if (!find_repeated_key(item, open, place)) continue;
         place = fmt::format("/{}{}", escaped(key), place);
         return true;
     }
-    std::sort(keys.begin(), keys.end());
-    const auto twice = std::adjacent_find(keys.begin(), keys.end());
-    if (twice == keys.end()) return false;
-    place = fmt::format("/{}", escaped(*twice));
-    return true;
+    std::sort(open.begin() + first, open.end());
+    const auto twice = std::adjacent_find(open.begin() + first, open.end());
+    const bool found = twice != open.end();
+    if (found) place = fmt::format("/{}", escaped(*twice));
+    open.resize(std::size_t(first));
+    return found;
+}
+
+void count_extensions(dom::element value, std::map<std::string_view, std::size_t>& uses) {
+    if (value.is_array())
+        for (const dom::element item : dom::array(value))
+            count_extensions(item, uses);
+    if (!value.is_object()) return;
+    for (const auto& [key, item] : dom::object(value)) {
+        if (key == "extras") continue;
+        if (key == "extensions" && item.is_object())
+            for (const auto& [name, extension] : dom::object(item))
+                ++uses[name];
+        count_extensions(item, uses);
+    }
 }
 
 }  // namespace
@@ -92,6 +109,18 @@ std::string Json::place_of(std::string_view key) const {
 
 bool Json::has(std::string_view key) const {
     return find(key).has_value();
+}
+
+std::vector<std::string_view> Json::keys() const {
+    std::vector<std::string_view> out;
+    for (const auto& [key, value] : dom::object(value_))
+        out.push_back(key);
+    return out;
+}
+
+bool Json::leads_to_object(std::string_view pointer) const {
+    dom::element found;
+    return value_.at_pointer(pointer).get(found) == simdjson::SUCCESS && found.is_object();
 }
 
 tl::unexpected<Error> Json::fail(ExitCode code, std::string_view key, std::string message) const {
@@ -122,11 +151,24 @@ Result<std::optional<dom::array>> Json::array(std::string_view key) const {
     return values;
 }
 
+Result<Json> Json::to_object(dom::element value, std::string place) const {
+    if (!value.is_object()) return mistyped(std::move(place), "an object", value);
+    dom::element extensions;
+    if (value.at_key("extensions").get(extensions) == simdjson::SUCCESS) {
+        place += "/extensions";
+        if (!extensions.is_object()) return mistyped(std::move(place), "an object", extensions);
+        for (const auto& [name, extension] : dom::object(extensions))
+            if (!extension.is_object())
+                return mistyped(fmt::format("{}/{}", place, escaped(name)), "an object", extension);
+        place.resize(place.rfind('/'));
+    }
+    return Json(value, std::move(place), file_);
+}
+
 Result<std::optional<Json>> Json::object(std::string_view key) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
-    if (!found->is_object()) return mistyped(place_of(key), "an object", *found);
-    return Json(*found, place_of(key), file_);
+    return to_object(*found, place_of(key));
 }
 
 Result<std::optional<Json>> Json::extension(std::string_view name) const {
@@ -135,15 +177,20 @@ Result<std::optional<Json>> Json::extension(std::string_view name) const {
     return extensions->object(name);
 }
 
+std::map<std::string_view, std::size_t> Json::extension_uses() const {
+    std::map<std::string_view, std::size_t> uses;
+    count_extensions(value_, uses);
+    return uses;
+}
+
 Result<std::vector<Json>> Json::objects(std::string_view key) const {
     HM_TRY_ASSIGN(const auto values, array(key));
     std::vector<Json> out;
     if (!values) return out;
     const std::string place = place_of(key);
     for (const dom::element value : *values) {
-        std::string here = element_place(place, out.size());
-        if (!value.is_object()) return mistyped(std::move(here), "an object", value);
-        out.emplace_back(value, std::move(here), file_);
+        HM_TRY_ASSIGN(Json item, to_object(value, element_place(place, out.size())));
+        out.push_back(std::move(item));
     }
     return out;
 }
@@ -294,7 +341,8 @@ Result<Json> parse_json(dom::parser& parser, std::span<const std::byte> text,
     if (status != simdjson::SUCCESS)
         return reject(fmt::format("is not valid JSON: {}", simdjson::error_message(status)));
     if (!root.is_object()) return reject("is not a glTF file: its JSON is no object");
-    if (std::string place; find_repeated_key(root, place))
+    std::vector<std::string_view> open;
+    if (std::string place; find_repeated_key(root, open, place))
         return hm::fail(ExitCode::invalid, file, place, "stands twice in its object");
     return Json(root, "", &file);
 }

@@ -5,6 +5,7 @@
 #include <simdjson.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,13 +31,18 @@ class Json {
     const std::string& place() const { return place_; }
     std::string place_of(std::string_view key) const;
     bool has(std::string_view key) const;
+    std::vector<std::string_view> keys() const;            // in the file's order
+    bool leads_to_object(std::string_view pointer) const;  // RFC 6901, from this value on
 
     // Errors at a property or, with an empty key, at this value itself.
     tl::unexpected<Error> fail(ExitCode code, std::string_view key, std::string message) const;
     tl::unexpected<Error> invalid(std::string_view key, std::string message) const;
 
+    // Of every object that is handed out, "extensions" is an object of objects where it is there.
     Result<std::optional<Json>> object(std::string_view key) const;
     Result<std::optional<Json>> extension(std::string_view name) const;
+    // How many objects, this one and all below it, have each extension. `extras` are left out.
+    std::map<std::string_view, std::size_t> extension_uses() const;
     // An array of objects, of strings; empty where absent.
     Result<std::vector<Json>> objects(std::string_view key) const;
     Result<std::vector<std::string_view>> texts(std::string_view key) const;
@@ -70,6 +76,7 @@ class Json {
   private:
     std::optional<simdjson::dom::element> find(std::string_view key) const;
     Result<std::optional<simdjson::dom::array>> array(std::string_view key) const;
+    Result<Json> to_object(simdjson::dom::element value, std::string place) const;
     tl::unexpected<Error> mistyped(std::string place, std::string_view expected,
                                    simdjson::dom::element found) const;
     // `place` is a function: texts are made only where something is wrong.

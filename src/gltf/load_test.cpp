@@ -124,6 +124,16 @@ TEST(Load, WarnsOfUnknownExtensions) {
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
     EXPECT_EQ(loaded.warned("/extensionsUsed/0", "KHR_a"), 1u);
     EXPECT_EQ(loaded.diagnostics.warnings().size(), 1u);
+
+    // How often each is used, also one that is not listed; extras are nobody's business.
+    const Loaded counted = load_text(document(
+        {{"extensionsUsed", R"(["KHR_a"])"},
+         {"nodes", R"([{"mesh":0,"extensions":{"KHR_a":{"extensions":{"KHR_a":{}}},"EXT_b":{}}},
+            {"extensions":{"KHR_a":{}},"extras":{"extensions":{"EXT_c":{}}}}])"}}));
+    ASSERT_TRUE(counted.scene) << counted.scene.error().line();
+    EXPECT_EQ(counted.warned("/extensionsUsed/0", "KHR_a"), 3u);
+    EXPECT_EQ(counted.warned("/extensionsUsed", "EXT_b"), 1u);
+    EXPECT_EQ(counted.diagnostics.warnings().size(), 2u);
 }
 
 TEST(Load, TablesMustBeArraysOfObjects) {

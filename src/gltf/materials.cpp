@@ -70,7 +70,9 @@ Result<void> read_emission(Source& source, const Json& json, const std::vector<T
         HM_TRY_ASSIGN(strength, extension->number_or("emissiveStrength", 1));
         if (strength < 0) return extension->invalid("emissiveStrength", "must not be negative");
     }
-    material.emissive = vec3(factor[0], factor[1], factor[2]) * strength;
+    material.emissive_factor = vec3(factor[0], factor[1], factor[2]);
+    material.emissive_strength = strength;
+    material.emissive = material.emissive_factor * strength;
     HM_TRY(read_slot(source, json, "emissiveTexture", textures, material.emissive_texture));
     return {};
 }

@@ -37,6 +37,10 @@ Result<std::vector<std::uint32_t>> read_indices(const Json& json, Source& source
                              accessor.component == ComponentType::uint32;
     if (accessor.type != ElementType::scalar || !is_unsigned || accessor.normalized)
         return json.invalid("indices", "indices are scalars of unsigned integers");
+    if (accessor.view && source.views[*accessor.view].stride != 0)
+        return json.invalid("indices", fmt::format("the buffer view of accessor {} has a "
+                                                   "byteStride, which is for vertex data only",
+                                                   *index));
     HM_TRY(take_work(json, source, std::uint64_t{accessor.count} * sizeof(uvec3)));
     HM_TRY_ASSIGN(std::vector<std::uint32_t> indices, read_integers(source, *index));
     // The primitive restart value is the type's largest, which no vertex may have: refused here

@@ -10,6 +10,9 @@ namespace {
 
 using Kept = std::vector<std::uint32_t>;
 
+// What may stand in a delta's accessor besides floats.
+enum class Encoding { position, direction, other };
+
 struct TargetReader {
     const Json& target;
     const Json& base;  // the primitive's attributes
@@ -17,45 +20,66 @@ struct TargetReader {
     std::uint32_t count;
     const Kept& kept;
 
-    Result<std::optional<std::size_t>> find(std::string_view key, ElementType type, bool encoded);
+    Result<std::optional<std::size_t>> find(std::string_view key, ElementType type,
+                                            Encoding encoding);
 
     // Appends the deltas that are not zero. T is a vector of as many floats or more, the rest zero.
     template <class T>
-    Result<void> read(std::string_view key, ElementType type, bool encoded,
+    Result<void> read(std::string_view key, ElementType type, Encoding encoding,
                       std::vector<Delta<T>>& out);
 };
 
-bool has_type(const Accessor& accessor, std::string_view key, ElementType type, bool encoded) {
+// KHR_mesh_quantization adds integers for positions and directions, signed ones only (the table in
+// its section "Extending Morph Target Attributes").
+bool is_encoded(const Accessor& accessor, Encoding use, bool quantized) {
+    const bool is_signed =
+        accessor.component == ComponentType::int8 || accessor.component == ComponentType::int16;
+    switch (use) {
+        case Encoding::position:
+            return quantized && is_signed;
+        case Encoding::direction:
+            return quantized && is_signed && accessor.normalized;
+        case Encoding::other:
+            return accessor.normalized;  // 8 and 16 bits only, as read_accessors saw to
+    }
+    return false;
+}
+
+bool has_type(const Accessor& accessor, std::string_view key, ElementType type, Encoding encoding,
+              bool quantized) {
     const bool is_color = key.starts_with("COLOR_") && accessor.type == ElementType::vec3;
     if (accessor.type != type && !is_color) return false;
-    if (accessor.component == ComponentType::float32) return true;
-    return encoded && accessor.normalized;  // 8 and 16 bits only, as read_accessors saw to
+    return accessor.component == ComponentType::float32 ||
+           is_encoded(accessor, encoding, quantized);
 }
 
 // One attribute's accessor, checked against the primitive's own.
 Result<std::optional<std::size_t>> TargetReader::find(std::string_view key, ElementType type,
-                                                      bool encoded) {
+                                                      Encoding encoding) {
     HM_TRY_ASSIGN(const auto index, target.index(key, source.accessors.size(), "accessors"));
     if (!index) return std::nullopt;
     if (!base.has(key)) return target.invalid(key, "the primitive itself has no such attribute");
     const Accessor& accessor = source.accessors[*index];
-    if (!has_type(accessor, key, type, encoded))
+    if (!has_type(accessor, key, type, encoding, source.quantized))
         return target.invalid(
             key, fmt::format("accessor {} has a type that this delta can't have", *index));
     if (accessor.count != count)
         return target.invalid(key, fmt::format("accessor {} has {} elements, POSITION has {}",
                                                *index, accessor.count, count));
+    check_alignment(source, *index);
     return index;
 }
 
 template <class T>
-Result<void> TargetReader::read(std::string_view key, ElementType type, bool encoded,
+Result<void> TargetReader::read(std::string_view key, ElementType type, Encoding encoding,
                                 std::vector<Delta<T>>& out) {
-    HM_TRY_ASSIGN(const auto index, find(key, type, encoded));
+    HM_TRY_ASSIGN(const auto index, find(key, type, encoding));
     if (!index) return {};
     HM_TRY(take_work(target, source, std::uint64_t{count} * (sizeof(T) + sizeof(Delta<T>))));
     HM_TRY_ASSIGN(const std::vector<float> values, read_floats(source, *index));
     HM_TRY(check_finite(source, *index, values));
+    if (encoding == Encoding::position)
+        check_limits(source, *index, {values.data(), component_count(type)});
     const std::size_t width = component_count(source.accessors[*index].type);
     const std::size_t vertex_count = kept.empty() ? count : kept.size();
     for (std::size_t i = 0; i < vertex_count; ++i) {
@@ -71,12 +95,12 @@ Result<void> TargetReader::read(std::string_view key, ElementType type, bool enc
 
 Result<MorphTarget> read_target(TargetReader& reader, const Primitive& primitive) {
     MorphTarget out;
-    HM_TRY(reader.read("POSITION", ElementType::vec3, false, out.positions));
-    HM_TRY(reader.read("NORMAL", ElementType::vec3, false, out.normals));
-    HM_TRY(reader.read("TANGENT", ElementType::vec3, false, out.tangents));
-    HM_TRY(reader.read("TEXCOORD_0", ElementType::vec2, true, out.uv0));
-    HM_TRY(reader.read("TEXCOORD_1", ElementType::vec2, true, out.uv1));
-    HM_TRY(reader.read("COLOR_0", ElementType::vec4, true, out.colors));
+    HM_TRY(reader.read("POSITION", ElementType::vec3, Encoding::position, out.positions));
+    HM_TRY(reader.read("NORMAL", ElementType::vec3, Encoding::direction, out.normals));
+    HM_TRY(reader.read("TANGENT", ElementType::vec3, Encoding::direction, out.tangents));
+    HM_TRY(reader.read("TEXCOORD_0", ElementType::vec2, Encoding::other, out.uv0));
+    HM_TRY(reader.read("TEXCOORD_1", ElementType::vec2, Encoding::other, out.uv1));
+    HM_TRY(reader.read("COLOR_0", ElementType::vec4, Encoding::other, out.colors));
     if (!primitive.has_tangents) out.tangents.clear();
     return out;
 }

@@ -126,6 +126,8 @@ Result<std::size_t> find_scene(const Json& root, const std::vector<Json>& scenes
 Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
                                               const std::vector<FileNode>& nodes) {
     HM_TRY_ASSIGN(const std::vector<Json> scenes, root.objects("scenes"));
+    for (const Json& scene : scenes)
+        HM_TRY(scene.name());
     HM_TRY_ASSIGN(const auto named, root.index("scene", scenes.size(), "scenes"));
     std::size_t chosen = named.value_or(0);
     if (!source.options.scene.empty()) {

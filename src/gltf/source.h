@@ -62,6 +62,7 @@ struct Accessor {
     std::uint64_t offset = 0;         // into the view; the last element ends within it
     std::uint32_t stride = 0;
     std::optional<SparseElements> sparse;
+    std::vector<float> min, max;  // as the file gives them, not normalized; empty where absent
 };
 
 // What may still be taken. A small file can name the same bytes many times over.
@@ -87,8 +88,8 @@ struct Source {
     std::size_t variant_count = 0;
     std::optional<std::size_t> variant{};  // the chosen one
 
-    void warn(std::string place, std::string message) {
-        diagnostics.warn(file, std::move(place), std::move(message));
+    void warn(std::string place, std::string message, std::size_t count = 1) {
+        diagnostics.warn(file, std::move(place), std::move(message), count);
     }
 };
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -26,8 +28,24 @@ class Accessors {
         bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
         return next_++;
     }
+    // With the values' limits.
     std::size_t floats(const char* type, std::size_t count, const std::vector<float>& values) {
-        return add(type, 5126, count, values);
+        const std::size_t width = values.size() / count;
+        std::vector<float> low(values.begin(), values.begin() + std::ptrdiff_t(width)), high = low;
+        for (std::size_t i = width; i < values.size(); ++i) {
+            low[i % width] = std::min(low[i % width], values[i]);
+            high[i % width] = std::max(high[i % width], values[i]);
+        }
+        const bool finite = std::all_of(values.begin(), values.end(),
+                                        [](float value) { return std::isfinite(value); });
+        const auto list = [](const std::vector<float>& v) {
+            std::string text;
+            for (const float value : v)
+                text.append(text.empty() ? "" : ",").append(fmt::to_string(value));
+            return text;
+        };
+        return add(type, 5126, count, values,
+                   finite ? fmt::format(R"(,"min":[{}],"max":[{}])", list(low), list(high)) : "");
     }
 
     // A document's properties with these and `more`.
@@ -42,7 +60,8 @@ class Accessors {
             {"buffer":0,"byteOffset":116,"byteLength":48})" +
                                           views_ + "]"},
                       {"accessors", R"([
-            {"bufferView":0,"componentType":5126,"type":"VEC3","count":3},
+            {"bufferView":0,"componentType":5126,"type":"VEC3","count":3,
+             "min":[0,0,0],"max":[1,2,0]},
             {"bufferView":1,"componentType":5126,"type":"VEC3","count":3},
             {"bufferView":2,"componentType":5126,"type":"VEC2","count":3},
             {"bufferView":3,"componentType":5123,"type":"SCALAR","count":3},

@@ -20,7 +20,8 @@ const Overrides& base_properties() {
             {"buffer":0,"byteOffset":104,"byteLength":12},
             {"buffer":0,"byteOffset":116,"byteLength":48}])"},
         {"accessors", R"([
-            {"bufferView":0,"componentType":5126,"type":"VEC3","count":3},
+            {"bufferView":0,"componentType":5126,"type":"VEC3","count":3,
+             "min":[0,0,0],"max":[1,2,0]},
             {"bufferView":1,"componentType":5126,"type":"VEC3","count":3},
             {"bufferView":2,"componentType":5126,"type":"VEC2","count":3},
             {"bufferView":3,"componentType":5123,"type":"SCALAR","count":3},

@@ -42,6 +42,7 @@ Result<std::vector<TextureSlot>> read_samplers(const Json& root) {
     std::vector<TextureSlot> samplers;
     for (const Json& item : items) {
         TextureSlot slot;
+        HM_TRY(item.name());
         HM_TRY_ASSIGN(slot.wrap_u, read_wrap(item, "wrapS"));
         HM_TRY_ASSIGN(slot.wrap_v, read_wrap(item, "wrapT"));
         HM_TRY_ASSIGN(slot.filter_mode, read_filter(item));
@@ -75,6 +76,7 @@ Result<std::vector<Texture>> read_textures(const Json& root) {
     std::vector<Texture> textures;
     for (const Json& item : items) {
         Texture texture;
+        HM_TRY(item.name());
         HM_TRY_ASSIGN(const auto sampler, item.index("sampler", samplers.size(), "samplers"));
         if (sampler) texture.slot = samplers[*sampler];
         HM_TRY_ASSIGN(const auto image, item.index("source", images.size(), "images"));

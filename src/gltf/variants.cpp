@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 
 namespace hm::gltf {
 namespace {
@@ -15,13 +15,15 @@ Result<void> choose_variant(const Json& root, Source& source) {
     std::vector<Json> variants;
     HM_TRY_ASSIGN(const auto extension, root.extension(kExtension));
     if (extension) {
+        if (!extension->has("variants")) return extension->invalid("variants", "is required");
         HM_TRY_ASSIGN(variants, extension->objects("variants"));
     }
     source.variant_count = variants.size();
     const std::string& wanted = source.options.variant;
     std::string known;
     for (std::size_t i = 0; i < variants.size(); ++i) {
-        HM_TRY_ASSIGN(const std::string name, variants[i].name());
+        HM_TRY_ASSIGN(const std::string_view name,
+                      variants[i].required("name", variants[i].text("name")));
         if (name == wanted && !source.variant && !wanted.empty()) source.variant = i;
         known += (i == 0 ? "" : ", ") + excerpt(name);
     }
@@ -36,16 +38,21 @@ Result<std::optional<std::size_t>> read_material_index(const Json& primitive, co
     HM_TRY_ASSIGN(auto material, primitive.index("material", material_count, "materials"));
     HM_TRY_ASSIGN(const auto extension, primitive.extension(kExtension));
     if (!extension) return material;
+    if (!extension->has("mappings")) return extension->invalid("mappings", "is required");
     HM_TRY_ASSIGN(const std::vector<Json> mappings, extension->objects("mappings"));
+    std::set<std::size_t> mapped;
     for (const Json& mapping : mappings) {
         HM_TRY_ASSIGN(
             const std::size_t other,
             mapping.required("material", mapping.index("material", material_count, "materials")));
+        if (!mapping.has("variants")) return mapping.invalid("variants", "is required");
         HM_TRY_ASSIGN(const auto variants,
                       mapping.indices("variants", source.variant_count, "variants"));
-        if (source.variant &&
-            std::find(variants.begin(), variants.end(), *source.variant) != variants.end())
-            material = other;
+        for (const std::size_t variant : variants) {
+            if (!mapped.insert(variant).second)
+                return mapping.invalid("variants", fmt::format("variant {} again", variant));
+            if (variant == source.variant) material = other;
+        }
     }
     return material;
 }

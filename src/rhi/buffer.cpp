@@ -1,7 +1,5 @@
 #include "rhi/buffer.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "base/check.h"
@@ -24,46 +22,7 @@ VkBufferUsageFlags usage_of(BufferUse use) {
     return flags;
 }
 
-std::string gigabytes(std::uint64_t bytes) {
-    return fmt::format("{:.3g} GiB", static_cast<double>(bytes) / (1u << 30));
-}
-
 }  // namespace
-
-VmaAllocationCreateInfo allocation_info(MemoryKind kind) {
-    VmaAllocationCreateInfo info{};
-    info.usage = VMA_MEMORY_USAGE_AUTO;
-    switch (kind) {
-        case MemoryKind::device:
-            // Drivers would rather move memory to the host than refuse: much slower, unsaid.
-            info.flags = VMA_ALLOCATION_CREATE_WITHIN_BUDGET_BIT;
-            info.usage = VMA_MEMORY_USAGE_AUTO_PREFER_DEVICE;
-            break;
-        case MemoryKind::upload:
-            info.flags = VMA_ALLOCATION_CREATE_MAPPED_BIT |
-                         VMA_ALLOCATION_CREATE_HOST_ACCESS_SEQUENTIAL_WRITE_BIT;
-            info.usage = VMA_MEMORY_USAGE_AUTO_PREFER_HOST;
-            info.requiredFlags = VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-            break;
-        case MemoryKind::readback:
-            info.flags =
-                VMA_ALLOCATION_CREATE_MAPPED_BIT | VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT;
-            info.usage = VMA_MEMORY_USAGE_AUTO_PREFER_HOST;
-            info.requiredFlags = VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-            break;
-    }
-    return info;
-}
-
-Error memory_error(const Device& device, VkResult result, std::string_view call,
-                   std::string_view object, std::uint64_t bytes) {
-    Error error = device_error(result, call, object);
-    if (result != VK_ERROR_OUT_OF_DEVICE_MEMORY) return error;
-    const MemoryUse use = device.memory_use();
-    error.message += fmt::format(": {} were asked for, {} of {} are in use", gigabytes(bytes),
-                                 gigabytes(use.used_bytes), gigabytes(use.budget_bytes));
-    return error;
-}
 
 Result<Buffer> Buffer::create(Device& device, const BufferInfo& info) {
     HM_CHECK(info.size > 0, "buffer {}", info.name);
@@ -73,6 +32,7 @@ Result<Buffer> Buffer::create(Device& device, const BufferInfo& info) {
                                            info.name, info.size));
     Buffer buffer;
     buffer.device_ = &device;
+    buffer.name_ = info.name;
     buffer.size_ = info.size;
     const VkBufferCreateInfo create{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
                                     .size = info.size,
@@ -101,6 +61,7 @@ Buffer::~Buffer() {
 
 void Buffer::swap(Buffer& other) noexcept {
     std::swap(device_, other.device_);
+    std::swap(name_, other.name_);
     std::swap(handle_, other.handle_);
     std::swap(allocation_, other.allocation_);
     std::swap(size_, other.size_);

@@ -53,6 +53,7 @@ class Buffer {
     ~Buffer();
 
     explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
+    const std::string& name() const { return name_; }
     std::uint64_t size() const { return size_; }
     std::uint64_t address() const { return address_; }
     // The host's view; empty for MemoryKind::device. Coherent: no flushing.
@@ -63,6 +64,7 @@ class Buffer {
     void swap(Buffer& other) noexcept;
 
     Device* device_ = nullptr;
+    std::string name_;
     VkBuffer handle_ = VK_NULL_HANDLE;
     VmaAllocation_T* allocation_ = nullptr;
     std::uint64_t size_ = 0;

@@ -54,6 +54,16 @@ TEST_F(RhiDevice, ValidationIsHeard) {
         << messages.front().line();
 }
 
+TEST(RhiInstance, PrintsMessagesThatNobodyTook) {
+    ::testing::internal::CaptureStderr();
+    {
+        const auto instance = value_of(Instance::create({.validation = true}));
+        instance->messages().add({.error = true, .id = "VUID-x", .text = "something"});
+    }
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+              "himalaya: Vulkan validation: error: VUID-x: something\n");
+}
+
 TEST_F(RhiDevice, SynchronisationValidationIsHeard) {
     const Buffer a = value_of(Buffer::create(device(), {.name = "a", .size = 16}));
     expect_ok(run_once(device(), "race", [&](Commands& commands) -> Result<void> {

@@ -18,6 +18,20 @@ VkImageUsageFlags usage_of(ImageUse use) {
     return flags;
 }
 
+VkImageCreateInfo create_info(const ImageInfo& info) {
+    HM_CHECK(info.width > 0 && info.height > 0 && info.levels > 0, "image {}: {} x {}, {} levels",
+             info.name, info.width, info.height, info.levels);
+    return {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+            .imageType = VK_IMAGE_TYPE_2D,
+            .format = static_cast<VkFormat>(info.format),
+            .extent = {info.width, info.height, 1},
+            .mipLevels = info.levels,
+            .arrayLayers = 1,
+            .samples = VK_SAMPLE_COUNT_1_BIT,
+            .tiling = VK_IMAGE_TILING_OPTIMAL,
+            .usage = usage_of(info.use)};
+}
+
 // Asks the device, since creating what it does not support means nothing.
 Result<void> check_supported(const Device& device, const ImageInfo& info) {
     VkImageFormatProperties limits{};
@@ -65,42 +79,58 @@ std::uint32_t bytes_per_texel(Format format) {
     return 16;
 }
 
+MemoryNeeds memory_needs(const Device& device, const ImageInfo& info) {
+    const VkImageCreateInfo create = create_info(info);
+    const VkDeviceImageMemoryRequirements query{
+        .sType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS, .pCreateInfo = &create};
+    VkMemoryRequirements2 needs{.sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+    vkGetDeviceImageMemoryRequirements(device.handle(), &query, &needs);
+    return {needs.memoryRequirements.size, needs.memoryRequirements.alignment,
+            needs.memoryRequirements.memoryTypeBits};
+}
+
 Result<Image> Image::create(Device& device, const ImageInfo& info) {
-    HM_CHECK(info.width > 0 && info.height > 0 && info.levels > 0, "image {}: {} x {}, {} levels",
-             info.name, info.width, info.height, info.levels);
     HM_TRY(check_supported(device, info));
     Image image;
     image.device_ = &device;
     image.info_ = info;
-    const auto format = static_cast<VkFormat>(info.format);
-    const VkImageCreateInfo create{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-                                   .imageType = VK_IMAGE_TYPE_2D,
-                                   .format = format,
-                                   .extent = {info.width, info.height, 1},
-                                   .mipLevels = info.levels,
-                                   .arrayLayers = 1,
-                                   .samples = VK_SAMPLE_COUNT_1_BIT,
-                                   .tiling = VK_IMAGE_TILING_OPTIMAL,
-                                   .usage = usage_of(info.use)};
+    const VkImageCreateInfo create = create_info(info);
     const VmaAllocationCreateInfo allocate = allocation_info(MemoryKind::device);
-    VkResult result = vmaCreateImage(device.allocator(), &create, &allocate, &image.handle_,
-                                     &image.allocation_, nullptr);
-    if (result != VK_SUCCESS) {
-        const std::uint64_t bytes =
-            std::uint64_t{info.width} * info.height * bytes_per_texel(info.format);
-        return tl::unexpected(memory_error(device, result, "vmaCreateImage", info.name, bytes));
-    }
-    device.name(VK_OBJECT_TYPE_IMAGE, image.handle_, info.name);
+    const VkResult result = vmaCreateImage(device.allocator(), &create, &allocate, &image.handle_,
+                                           &image.allocation_, nullptr);
+    if (result != VK_SUCCESS)
+        return tl::unexpected(memory_error(device, result, "vmaCreateImage", info.name,
+                                           memory_needs(device, info).bytes));
+    HM_TRY(image.make_view(device));
+    return image;
+}
+
+Result<Image> Image::create_in(Device& device, const ImageInfo& info, const MemoryBlock& block,
+                               std::uint64_t offset) {
+    HM_TRY(check_supported(device, info));
+    Image image;
+    image.device_ = &device;
+    image.info_ = info;
+    const VkImageCreateInfo create = create_info(info);
+    HM_TRY(check(vmaCreateAliasingImage2(device.allocator(), block.allocation(), offset, &create,
+                                         &image.handle_),
+                 "vmaCreateAliasingImage2", info.name));
+    HM_TRY(image.make_view(device));
+    return image;
+}
+
+Result<void> Image::make_view(Device& device) {
+    device.name(VK_OBJECT_TYPE_IMAGE, handle_, info_.name);
     const VkImageViewCreateInfo view{
         .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-        .image = image.handle_,
+        .image = handle_,
         .viewType = VK_IMAGE_VIEW_TYPE_2D,
-        .format = format,
-        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, info.levels, 0, 1}};
-    HM_TRY(check(vkCreateImageView(device.handle(), &view, nullptr, &image.view_),
-                 "vkCreateImageView", info.name));
-    device.name(VK_OBJECT_TYPE_IMAGE_VIEW, image.view_, info.name);
-    return image;
+        .format = static_cast<VkFormat>(info_.format),
+        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, info_.levels, 0, 1}};
+    HM_TRY(check(vkCreateImageView(device.handle(), &view, nullptr, &view_), "vkCreateImageView",
+                 info_.name));
+    device.name(VK_OBJECT_TYPE_IMAGE_VIEW, view_, info_.name);
+    return {};
 }
 
 Image::~Image() {

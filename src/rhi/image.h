@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "rhi/device.h"
 #include "rhi/flags.h"
+#include "rhi/memory_block.h"
 
 struct VmaAllocation_T;
 
@@ -53,6 +54,9 @@ class Image {
   public:
     Image() = default;
     static Result<Image> create(Device& device, const ImageInfo& info);
+    // In memory that others may share, and which must outlive it.
+    static Result<Image> create_in(Device& device, const ImageInfo& info, const MemoryBlock& block,
+                                   std::uint64_t offset);
     Image(Image&& other) noexcept { swap(other); }
     Image& operator=(Image&& other) noexcept {
         swap(other);
@@ -66,6 +70,7 @@ class Image {
     VkImageView view() const { return view_; }  // of all levels
 
   private:
+    Result<void> make_view(Device& device);
     void swap(Image& other) noexcept;
 
     Device* device_ = nullptr;

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
 
+#include "base/text.h"
 #include "rhi/error.h"
 
 namespace hm::rhi {
@@ -138,6 +140,9 @@ Result<std::shared_ptr<Instance>> Instance::create(const InstanceOptions& option
 }
 
 Instance::~Instance() {
+    // What nobody asked about is not lost.
+    for (const Message& message : messages_.take())
+        fmt::print(stderr, "himalaya: Vulkan validation: {}\n", printable(message.line()));
     if (messenger_ != VK_NULL_HANDLE)
         vkDestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
     if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <memory>
+#include <stdexcept>
 
 #include "rhi/device.h"
 #include "rhi/instance.h"
@@ -21,9 +23,12 @@ inline void expect_ok(const Result<void>& result) {
     EXPECT_TRUE(result.has_value()) << result.error().line();
 }
 
-// The best device, or where only software offers ray tracing, that.
+// Number HIMALAYA_TEST_DEVICE of the loader's list, or else the best, or where only software offers
+// ray tracing, that.
 inline PhysicalDevice any_device(const Instance& instance) {
     const std::vector<PhysicalDevice> devices = value_of(instance.devices());
+    if (const char* wanted = std::getenv("HIMALAYA_TEST_DEVICE"))
+        return value_of(choose_index(devices, static_cast<std::uint32_t>(std::atoi(wanted))));
     if (Result<PhysicalDevice> best = choose_best(devices)) return *best;
     for (const PhysicalDevice& device : devices)
         if (device.usable()) return device;

@@ -2,6 +2,7 @@
 // that say what each one moves.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -31,11 +32,39 @@ struct Channel {
     AnimatedProperty property = AnimatedProperty::translation;
 };
 
-// No two channels move the same property of the same node.
+// Values outside the nodes' transforms and weights (animated_values.h).
+enum class AnimatedValue {
+    node_visible,
+    base_color,
+    metallic,
+    roughness,
+    emissive_factor,
+    emissive_strength,
+    alpha_cutoff,
+    normal_scale,
+    light_color,
+    light_intensity,
+    light_range,
+    inner_cone,
+    outer_cone,
+    yfov,
+    xmag,
+    ymag,
+};
+
+struct ValueChannel {
+    std::size_t sampler = 0;  // into Animation::samplers
+    AnimatedValue value = AnimatedValue::node_visible;
+    std::size_t owner = 0;        // into the scene's nodes, materials, lights or cameras
+    std::array<float, 4> rest{};  // where no animation sets it
+};
+
+// No two channels set the same property of the same thing.
 struct Animation {
     std::string name;
     std::vector<AnimationSampler> samplers;
     std::vector<Channel> channels;
+    std::vector<ValueChannel> values{};
 };
 
 // The value at a time, which is clamped to the range of the keys. `out` has room for width()

@@ -6,6 +6,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
+
+#include "scene/animated_values.h"
 
 namespace hm {
 namespace {
@@ -69,6 +72,31 @@ void apply(const Animation& animation, double seconds, Pose& pose) {
     }
 }
 
+void reset_values(Scene& scene) {
+    for (const Animation& animation : scene.animations)
+        for (const ValueChannel& channel : animation.values)
+            set_value(scene, channel.value, channel.owner, channel.rest);
+}
+
+Result<void> apply_values(Scene& scene, std::size_t animation, double seconds) {
+    const auto overflows = [&](const char* what) {
+        return fail(ExitCode::invalid, scene.file, fmt::format("/animations/{}", animation),
+                    fmt::format("{} overflows a 32-bit float at this time", what));
+    };
+    for (const ValueChannel& channel : scene.animations[animation].values) {
+        std::array<float, 4> numbers{};
+        const std::span<float> value(numbers.data(), width(channel.value));
+        evaluate(scene.animations[animation].samplers[channel.sampler], seconds, value);
+        for (const float number : value)
+            if (!std::isfinite(number)) return overflows("a value");
+        clamp_value(channel.value, value);
+        set_value(scene, channel.value, channel.owner, value);
+    }
+    for (const Light& light : scene.lights)
+        if (!all_finite(light.color * light.intensity)) return overflows("a light");
+    return {};
+}
+
 // From the rest vertices' space to the world, per joint.
 std::vector<glm::mat4> joint_matrices(const Skin& skin, const std::vector<glm::mat4>& world) {
     std::vector<glm::mat4> out;
@@ -124,7 +152,11 @@ Result<void> deform_meshes(Scene& scene, const Pose& pose, const std::vector<glm
 
 Result<void> pose_scene(Scene& scene, const std::optional<PoseTime>& at) {
     Pose pose = rest_pose(scene);
-    if (at) apply(scene.animations[at->animation], at->seconds, pose);
+    reset_values(scene);
+    if (at) {
+        apply(scene.animations[at->animation], at->seconds, pose);
+        HM_TRY(apply_values(scene, at->animation, at->seconds));
+    }
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
         if (scene.nodes[i].rest) scene.nodes[i].local = to_matrix(pose.transforms[i]);
     const std::vector<glm::mat4> world = world_transforms(scene);

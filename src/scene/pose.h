@@ -15,9 +15,9 @@ struct PoseTime {
     double seconds = 0;
 };
 
-// Sets the nodes' transforms and the vertices of every mesh that morphs or has a skin; with no time
-// to the rest pose. Everything is computed from the rest pose, so what was posed before does not
-// matter. Fails where the animation's values overflow.
+// Sets the nodes' transforms, the vertices of every mesh that morphs or has a skin, and the values
+// that animations set besides; with no time to the rest pose. Everything is computed from the rest
+// pose, so what was posed before does not matter. Fails where the animation's values overflow.
 Result<void> pose_scene(Scene& scene, const std::optional<PoseTime>& at);
 
 // The animation of this name or index; the name wins. Fails with ExitCode::usage.

@@ -34,7 +34,9 @@ struct Material {
     vec4 base_color{1, 1, 1, 1};
     float metallic = 1;
     float roughness = 1;
-    vec3 emissive{0, 0, 0};  // strength included
+    vec3 emissive{0, 0, 0};         // strength included
+    vec3 emissive_factor{0, 0, 0};  // what `emissive` is the product of, where animations set one
+    float emissive_strength = 1;
     float normal_scale = 1;
     float occlusion_strength = 1;
     float specular_weight = 1;

@@ -39,10 +39,9 @@ inline Edit put(std::size_t offset, std::string bytes) {
 //   refused  an error with this code and place, and `message` in its text
 //   warned   loads with such a warning
 //   ignored  loads without a word
-//   pending  concerns what is not loaded yet: refused or not, but it returns
 // All but the first say why in `reason`.
 struct Expected {
-    enum class Outcome { refused, warned, ignored, pending };
+    enum class Outcome { refused, warned, ignored };
     Outcome outcome = Outcome::refused;
     ExitCode code = ExitCode::ok;
     std::string place;
@@ -60,10 +59,6 @@ inline Expected warned(std::string place, std::string message, std::string reaso
 inline Expected ignored(std::string reason) {
     return {Expected::Outcome::ignored, ExitCode::ok, {}, {}, std::move(reason)};
 }
-inline Expected pending(std::string reason) {
-    return {Expected::Outcome::pending, ExitCode::ok, {}, {}, std::move(reason)};
-}
-
 // Why the validator reports no error, empty where it does.
 using Silence = std::string;
 

@@ -20,6 +20,7 @@ inline constexpr char kOnlyWarns[] = "the validator has a warning or less for it
 inline constexpr char kListed[] =
     "the validator warns of values outside a list: a later version may add to it";
 inline constexpr char kLastKey[] = "the validator keeps the last of equal keys";
+inline constexpr char kInPart[] = "the validator checks this extension in part";
 inline constexpr char kUnknown[] = "the validator does not know the extension";
 
 }  // namespace hm::corpus

@@ -32,7 +32,7 @@ Added Object::rule(std::string_view slug, std::string_view rule, Edits edits, Ex
     c.section = section_;
     c.base = base_;
     c.edits = std::move(edits);
-    c.expected = always_.empty() ? std::move(expected) : always_.front();
+    c.expected = std::move(expected);
     cases_.push_back(std::move(c));
     return {cases_, cases_.size() - 1};
 }
@@ -135,13 +135,18 @@ Added Object::numbers(std::string_view key, const std::vector<std::string>& vali
 }
 
 Added Object::extensions() {
-    return value("extensions", "type", "[]", "is an object", "expected an object, found an array");
+    const std::size_t first = cases_.size();
+    value("extensions", "type", "[]", "is an object", "expected an object, found an array");
+    rule("extensions-element-type", "extensions: elements are objects",
+         {set(place("extensions"), R"({"EXT_a":1})")},
+         refused(place("extensions/EXT_a"), "expected an object, found a number"));
+    return {cases_, first};
 }
 
 Added Object::common(bool has_name) {
     const std::size_t first = cases_.size();
     if (has_name) text("name");
-    value("extensions", "type", "[]", "is an object", "").expect(ignored(kUnread));
+    extensions();
     return {cases_, first};
 }
 

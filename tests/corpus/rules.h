@@ -34,9 +34,6 @@ class Object {
           place_(std::move(place)),
           base_(base) {}
 
-    // What is expected of everything added from here on, whatever the single calls say.
-    void always(const Expected& expected) { always_ = {expected}; }
-
     // Absent; of another type; -1 and 0.5; past the end of the things counted.
     Added required(std::string_view key);
     Added flag(std::string_view key);
@@ -51,8 +48,7 @@ class Object {
     Added indices(std::string_view key);
     // Another type, an element of another type, one too few and one too many of `valid`.
     Added numbers(std::string_view key, const std::vector<std::string>& valid);
-    // "extensions", which every object may have, read; "name" and "extensions", the latter not
-    // read.
+    // "extensions", which every object may have; that and "name".
     Added extensions();
     Added common(bool has_name = true);
 
@@ -77,7 +73,6 @@ class Object {
     std::string section_;
     std::string place_;
     Base base_;
-    std::vector<Expected> always_;  // none or one
 };
 
 // The tables, by topic.

@@ -87,9 +87,9 @@ void add_text_rules(std::vector<Case>& cases) {
         refused("", "byte order mark"));
     add("utf16", "UTF-8", instead(std::string("\xff\xfe{\0}\0", 6)), refused("", "UTF-16"));
     add("duplicate-key", "keys are unique", replacing("\"scene\":0", R"("scene":0,"scene":0)"),
-        pending("duplicate keys"), kLastKey);
+        refused("/scene", "stands twice in its object"), kLastKey);
     add("duplicate-nested", "keys are unique", replacing("\"yfov\":1", R"("yfov":1,"yfov":2)"),
-        pending("duplicate keys"), kLastKey);
+        refused("/cameras/0/perspective/yfov", "stands twice in its object"), kLastKey);
     add("deep", "nesting has a limit",
         replacing("\"scene\":0", "\"scene\":0,\"extras\":" + nested(2000)),
         refused("", "levels deep"), "the specification gives no limit; this loader's is 256");

@@ -1,10 +1,14 @@
 // The extensions of materials, textures, meshes and nodes, each by its own specification.
+#include <fmt/format.h>
+
 #include "corpus/bases.h"
 #include "corpus/reasons.h"
 #include "corpus/rules.h"
 
 namespace hm::corpus {
 namespace {
+
+constexpr char kMistyped[] = "a type that this attribute can't have";
 
 void add_material_extensions(std::vector<Case>& cases) {
     Object material(cases, "material", "KHR_materials_emissive_strength",
@@ -34,77 +38,125 @@ void add_material_extensions(std::vector<Case>& cases) {
 void add_variants(std::vector<Case>& cases) {
     const std::string name = "KHR_materials_variants";
     Object root(cases, "variants", name, "/extensions", Base::extended);
-    root.always(pending(name));
     root.object(name);
     Object list(cases, "variants", name, "/extensions/" + name, Base::extended);
-    list.always(pending(name));
     list.required("variants");
     list.objects("variants");
-    list.empty("variants");
+    list.empty("variants")
+        .expect(refused("/meshes/0/primitives/0/extensions/" + name + "/mappings/0/variants/0",
+                        "past the end of the 0 variants"));
     Object variant(cases, "variant", name, "/extensions/" + name + "/variants/0", Base::extended);
-    variant.always(pending(name));
     variant.required("name");
     variant.text("name");
     const std::string place = "/meshes/0/primitives/0/extensions";
     Object primitive(cases, "primitive-variants", name, place, Base::extended);
-    primitive.always(pending(name));
     primitive.object(name);
     Object mappings(cases, "primitive-variants", name, place + "/" + name, Base::extended);
-    mappings.always(pending(name));
     mappings.required("mappings");
     mappings.objects("mappings");
-    mappings.empty("mappings");
+    mappings.empty("mappings").expect(ignored(kEmptyIsNone));
     Object mapping(cases, "mapping", name, place + "/" + name + "/mappings/0", Base::extended);
-    mapping.always(pending(name));
     mapping.required("material");
     mapping.index("material");
     mapping.required("variants");
     mapping.indices("variants");
-    mapping.empty("variants");
-    mapping.value("variants", "repeated", "[0,0]", "has no element twice", "");
-    mapping.value("variants", "claimed", "[0,1]", "each variant in one mapping only", "");
+    mapping.empty("variants").expect(ignored(kEmptyIsNone));
+    mapping.value("variants", "repeated", "[0,0]", "has no element twice", "variant 0 again");
+    mapping.value("variants", "claimed", "[0,1]", "each variant in one mapping only", "")
+        .expect(refused(place + "/" + name + "/mappings/1/variants", "variant 1 again"));
 }
 
 void add_instancing(std::vector<Case>& cases) {
     const std::string name = "EXT_mesh_gpu_instancing";
     Object node(cases, "node-instances", name, "/nodes/0/extensions", Base::extended);
-    node.always(pending(name));
     node.object(name);
     const std::size_t first = cases.size();
     Object instances(cases, "instances", name, "/nodes/0/extensions/" + name, Base::extended);
-    instances.always(pending(name));
     instances.required("attributes");
     instances.object("attributes");
     Object attributes(cases, "instances", name, instances.place("attributes"), Base::extended);
-    attributes.always(pending(name));
     for (const char* key : {"TRANSLATION", "ROTATION", "SCALE"})
         attributes.index(key);
-    attributes.value("TRANSLATION", "vec4", "3", "VEC3 of floats", "");
-    attributes.value("ROTATION", "vec3", "2", "VEC4 of floats or normalized integers", "");
-    attributes.value("SCALE", "vec4", "3", "VEC3 of floats", "");
+    attributes.value("TRANSLATION", "vec4", "3", "VEC3 of floats", kMistyped);
+    attributes.value("ROTATION", "vec3", "2", "VEC4 of floats or normalized integers", kMistyped);
+    attributes.value("SCALE", "vec4", "3", "VEC3 of floats", kMistyped);
     attributes.rule("count", "all attributes have as many elements",
-                    {set("/accessors/4/count", "1")}, {});
-    attributes.rule("no-mesh", "the node has a mesh", {drop("/nodes/0/mesh")}, {});
-    attributes.rule("rotation-zero", "ROTATION: unit length", {put(60, floats({0, 0, 0, 0}))}, {});
+                    {set("/accessors/4/count", "1")},
+                    refused(attributes.place("SCALE"), "has 1 elements, another has 2"));
+    attributes.rule("no-mesh", "the node has a mesh", {drop("/nodes/0/mesh")},
+                    warned("/nodes/0", "instances of no mesh", kSkipped));
+    attributes.rule("rotation-zero", "ROTATION: unit length", {put(60, floats({0, 0, 0, 0}))},
+                    refused(attributes.place("ROTATION"), "element 0: a zero quaternion"));
     Added(cases, first).silent(kUnknown);
-    attributes.rule("translation-nan", "floats: not NaN", {put(36, words({0x7fc00000}))}, {});
+    attributes.rule("translation-nan", "floats: not NaN", {put(36, words({0x7fc00000}))},
+                    refused("/accessors/2", "element 0 is not a number"));
 }
 
 void add_quantization(std::vector<Case>& cases) {
     const std::string name = "KHR_mesh_quantization";
     Object mesh(cases, "quantized", name, "/meshes/0/primitives/0/attributes", Base::extended);
-    mesh.always(pending(name));
     mesh.rule("not-required", "integer positions only where the extension is required",
-              {drop("/extensionsRequired")}, {});
+              {drop("/extensionsRequired")}, ignored("exporters forget to require it"));
     mesh.rule("normal-unsigned", "NORMAL: signed and normalized",
-              {set("/accessors/1/componentType", "5121")}, {});
+              {set("/accessors/1/componentType", "5121")},
+              refused(mesh.place("NORMAL"), kMistyped));
     mesh.rule("normal-not-normalized", "NORMAL: signed and normalized",
-              {set("/accessors/1/normalized", "false")}, {});
+              {set("/accessors/1/normalized", "false")}, refused(mesh.place("NORMAL"), kMistyped));
     mesh.rule("position-uint", "POSITION: integers of 8 or 16 bits",
               {set("/accessors/0/componentType", "5125"), set("/accessors/0/count", "2"),
-               set("/accessors/1/count", "2")},
-              {});
-    mesh.rule("unaligned", "strides: multiples of 4", {drop("/bufferViews/0/byteStride")}, {});
+               set("/accessors/1/count", "2"), set("/bufferViews/0/byteStride", "12")},
+              refused(mesh.place("POSITION"), kMistyped));
+    mesh.rule("unaligned", "strides: multiples of 4",
+              {drop("/bufferViews/0/byteStride"), set("/accessors/0/max", "[1,1,0]")},
+              warned("/accessors/0", "not aligned to 4 bytes", kDecodable));
+}
+
+void add_visibility(std::vector<Case>& cases) {
+    const std::string name = "KHR_node_visibility";
+    Object node(cases, "visibility", name, "/nodes/0/extensions", Base::extended);
+    const auto show = [&](const char* json) {
+        return Edits{set("/extensionsUsed/3", '"' + name + '"'), set(node.place(name), json)};
+    };
+    node.rule("type", "KHR_node_visibility: is an object", show("true"),
+              refused(node.place(name), "expected an object, found a boolean"));
+    node.rule("visible-type", "visible: is a boolean", show(R"({"visible":1})"),
+              refused(node.place(name + "/visible"), "expected a boolean, found a number"))
+        .silent(kUnknown);
+}
+
+// The first channel of the animation, aimed by a pointer instead.
+void add_pointers(std::vector<Case>& cases) {
+    const std::string name = "KHR_animation_pointer";
+    Object target(cases, "pointer", name, "/animations/0/channels/0/target", Base::moving);
+    const auto aim = [&](const std::string& extension) {
+        return Edits{set("/extensionsUsed", "[\"" + name + "\"]"),
+                     set(target.place(""),
+                         R"({"path":"pointer","extensions":{")" + name + "\":" + extension + "}}")};
+    };
+    const std::string place = target.place("extensions/" + name + "/pointer");
+    target.rule("missing", "pointer: is required", aim("{}"), refused(place, "is required"));
+    target.rule("type", "pointer: is a string", aim(R"({"pointer":7})"),
+                refused(place, "expected a string, found a number"));
+    const std::size_t first = cases.size();
+    target.rule("past-end", "pointer: leads to something that exists",
+                aim(R"({"pointer":"/nodes/99/translation"})"),
+                refused(place, "leads to nothing in the file"));
+    target.rule("undefined", "pointer: the property's object is there",
+                aim(R"({"pointer":"/cameras/0/perspective/yfov"})"),
+                refused(place, "leads to nothing in the file"));
+    target.rule("immutable", "pointer: leads to a property that may change",
+                aim(R"({"pointer":"/nodes/1/mesh"})"),
+                warned(target.place(""), "whose target can't be animated", kSkipped));
+    const auto rotate = [&](const char* property) {
+        Edits edits = aim(fmt::format(R"({{"pointer":"/nodes/1/{}"}})", property));
+        edits.push_back(set("/animations/0/samplers/0/output", "7"));
+        return edits;
+    };
+    target.rule("output", "output: of the property's type", rotate("scale"),
+                refused("/animations/0/channels/0/sampler", "a type that scale can't have"));
+    target.rule("twice", "pointer: no property twice in an animation", rotate("rotation"),
+                refused("/animations/0/channels/1/target", "has the same target"));
+    Added(cases, first).silent(kInPart);
 }
 
 }  // namespace
@@ -114,6 +166,8 @@ void add_extension_rules(std::vector<Case>& cases) {
     add_variants(cases);
     add_instancing(cases);
     add_quantization(cases);
+    add_visibility(cases);
+    add_pointers(cases);
 }
 
 }  // namespace hm::corpus

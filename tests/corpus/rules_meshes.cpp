@@ -111,10 +111,11 @@ void add_mesh_rules(std::vector<Case>& cases) {
     unknown("UNKNOWN", "names: known ones, or with an underscore first");
     unknown("_lower", "names: application-specific ones are in capitals").silent(kProseOnly);
     attributes.rule("unread-past-end", "indices of accessors that exist",
-                    {set(kPlace + std::string("_OTHER"), "99")}, ignored(kUnread));
+                    {set(kPlace + std::string("_OTHER"), "99")},
+                    refused(kPlace + std::string("_OTHER"), "past the end of the 7 accessors"));
     attributes.rule("stride-unaligned", "offsets and strides of vertex data: multiples of 4",
                     {set("/accessors/4/type", R"("VEC3")"), set("/accessors/4/count", "3")},
-                    ignored(kDecodable));
+                    warned("/accessors/4", "not aligned to 4 bytes", kDecodable));
     add_attribute_types(cases);
     add_indices(cases);
 }

@@ -80,7 +80,7 @@ HM_FN RayHit find_hit(vec3 origin, vec3 direction, float t_max, uint key, bool a
 HM_FN void trace_path(HM_INOUT(PathPayload) payload, vec3 origin, vec3 direction) {
     RayHit hit = find_hit(origin, direction, kInfinity, payload.key, false);
     if (hit.distance > 0.0f) {
-        closest_hit(payload, hit.ids, hit.distance, hit.barycentrics, direction);
+        closest_hit(payload, hit.ids, origin, direction);
     } else {
         miss(payload, direction);
     }

@@ -2,6 +2,7 @@
 // compare the shared shading files compiled as GLSL with the same files compiled as C++.
 //
 // A failure throws std::runtime_error with the Vulkan call and its result; GoogleTest reports it.
+// What the validation layer says is a failure too.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace hm::test {
 
 class ComputeDevice {
   public:
-    // The fastest kind of device that the loader offers and that has scalar block layout.
+    // The one that all tests of the GPU run on (rhi/test_device.h).
     ComputeDevice();
     ~ComputeDevice();
     ComputeDevice(const ComputeDevice&) = delete;

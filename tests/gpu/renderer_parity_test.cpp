@@ -80,6 +80,8 @@ TEST(RendererParity, OddShapesAndPlacements) {
 TEST(RendererParity, ShippedScenes) {
     const fs::path scenes = source_dir() / "scenes";
     expect_file_parity(scenes / "cornell.glb", "none");
+    expect_file_parity(scenes / "spheres.glb", "");
+    expect_file_parity(scenes / "hero.glb", (scenes / "hero_sky.hdr").string());
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "app/cli/compare_report.h"
 #include "app/cli/flag.h"
-#include "app/cli/print.h"
+#include "app/cli/output.h"
 #include "app/cli/values.h"
 #include "base/files.h"
 #include "film/write.h"

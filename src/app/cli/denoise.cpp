@@ -7,7 +7,7 @@
 
 #include "app/cli/flag.h"
 #include "app/cli/json_writer.h"
-#include "app/cli/print.h"
+#include "app/cli/output.h"
 #include "app/cli/tone_flags.h"
 #include "app/cli/values.h"
 #include "base/files.h"

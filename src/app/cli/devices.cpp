@@ -73,7 +73,10 @@ Result<std::unique_ptr<Device>> choose_device(const DeviceFlag& wanted, unsigned
     if (wanted.kind == DeviceFlag::Kind::cpu) return cpu_device(threads);
     Result<std::unique_ptr<Device>> gpu = open_vulkan(wanted.index);
     if (gpu) note(fmt::format("drawing on {}", (*gpu)->name()));
-    if (wanted.kind == DeviceFlag::Kind::vulkan) return gpu;
+    if (wanted.kind == DeviceFlag::Kind::vulkan) {
+        if (!gpu) gpu.error().message += "; `himalaya doctor` says what to do";
+        return gpu;
+    }
     if (gpu) return std::make_unique<FallbackDevice>(std::move(*gpu), cpu_device(threads), note);
     if (!is_device_trouble(gpu.error())) return gpu;
     note(fmt::format("drawing on the CPU: {}", gpu.error().line()));

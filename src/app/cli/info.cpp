@@ -1,7 +1,7 @@
 #include "app/cli/info.h"
 
 #include "app/cli/info_report.h"
-#include "app/cli/print.h"
+#include "app/cli/output.h"
 
 namespace hm::cli {
 Result<ExitCode> info(const InfoOptions& options) {
@@ -12,7 +12,7 @@ Result<ExitCode> info(const InfoOptions& options) {
         HM_TRY(print(info_text(report)));
     }
     if (report.error) return tl::unexpected(std::move(*report.error));
-    return report.diagnostics.warnings().empty() ? ExitCode::ok : kWarned;
+    return report.diagnostics.warnings().empty() ? ExitCode::ok : ExitCode::warned;
 }
 
 }  // namespace hm::cli

@@ -5,10 +5,7 @@
 
 namespace hm::cli {
 
-// The file renders, but something was warned of. One of the program's exit codes.
-inline constexpr ExitCode kWarned{10};
-
-// ok, kWarned where something was warned of, or the error with which the file would not render.
+// ok, warned where something was warned of, or the error with which the file would not render.
 // What is known of a refused file is printed all the same.
 Result<ExitCode> info(const InfoOptions& options);
 

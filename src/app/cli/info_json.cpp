@@ -170,7 +170,7 @@ void write_lights_and_cameras(JsonWriter& json, const Scene& scene) {
 void write_motion(JsonWriter& json, const Scene& scene) {
     write_list(json, "animations", scene.animations, [&](std::size_t, const Animation& animation) {
         json.field("name", animation.name).field("seconds", duration(animation));
-        json.field("channels", animation.channels.size());
+        json.field("channels", channel_count(animation));
     });
     write_list(json, "skins", scene.skins, [&](std::size_t, const Skin& skin) {
         json.field("name", skin.name).field("joints", skin.joints.size());

@@ -55,6 +55,10 @@ std::size_t target_count(const Mesh& mesh) {
     return mesh.weights.size();
 }
 
+std::size_t channel_count(const Animation& animation) {
+    return animation.channels.size() + animation.values.size();
+}
+
 double duration(const Animation& animation) {
     float last = 0;
     for (const AnimationSampler& sampler : animation.samplers)

@@ -54,6 +54,7 @@ std::vector<std::vector<std::string_view>> image_roles(const Scene& scene);
 std::uint64_t triangle_count(const Mesh& mesh);
 std::uint64_t vertex_count(const Mesh& mesh);
 std::size_t target_count(const Mesh& mesh);
+std::size_t channel_count(const Animation& animation);
 double duration(const Animation& animation);  // seconds: the last key of all channels
 
 // "supported", "ignored" or "refused".

@@ -200,7 +200,7 @@ void describe_motion(Lines& out, const InfoReport& report) {
     const Scene& scene = *report.scene;
     out.section("Animations", scene.animations, [](std::size_t i, const Animation& animation) {
         return fmt::format("{}{}: {:g} s, {}", i, name_in_quotes(animation.name),
-                           duration(animation), plural(animation.channels.size(), "channel"));
+                           duration(animation), plural(channel_count(animation), "channel"));
     });
     out.section("Skins", scene.skins, [](std::size_t i, const Skin& skin) {
         return fmt::format("{}{}: {}", i, name_in_quotes(skin.name),

@@ -7,10 +7,11 @@
 
 #include "app/cli/compare.h"
 #include "app/cli/denoise.h"
+#include "app/cli/doctor/doctor.h"
 #include "app/cli/info.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
-#include "app/cli/print.h"
+#include "app/cli/output.h"
 #include "app/cli/render.h"
 #include "base/text.h"
 
@@ -22,6 +23,7 @@ Result<ExitCode> run(int count, const char* const* arguments) {
     HM_TRY_ASSIGN(const cli::CommandLine line, cli::parse_command_line(count, arguments));
     if (line.render) return cli::render(*line.render);
     if (line.info) return cli::info(*line.info);
+    if (line.doctor) return cli::doctor(*line.doctor);
     if (line.compare) return cli::compare(*line.compare);
     if (line.denoise) return cli::denoise(*line.denoise);
     HM_TRY(cli::print(line.text));

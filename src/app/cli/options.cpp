@@ -54,6 +54,14 @@ void add_info_flags(CLI::App& app, InfoOptions& options) {
         "a failed rendering where the file is refused.");
 }
 
+void add_doctor_flags(CLI::App& app, DoctorOptions& options) {
+    app.add_flag("--json", options.json, "Print JSON instead of text");
+    app.footer(
+        "The exit code is 0 where a GPU and every other device draw as the CPU does, 10 where "
+        "something is amiss or only the CPU draws, 8 where a device draws a wrong picture or "
+        "none.");
+}
+
 Result<std::filesystem::path> scene_file_of(const std::string& input) {
     if (!input.starts_with(kDemoPrefix)) return std::filesystem::path(input);
     HM_TRY_ASSIGN(const Demo demo, find_demo(std::string_view(input).substr(kDemoPrefix.size())));
@@ -73,6 +81,10 @@ CommandLine parse(const Arguments& arguments) {
     InfoOptions info_options;
     CLI::App& info = *app.add_subcommand("info", "Tell what is in a scene file");
     add_info_flags(info, info_options);
+    DoctorOptions doctor_options;
+    CLI::App& doctor =
+        *app.add_subcommand("doctor", "Examine this machine's devices and draw on each");
+    add_doctor_flags(doctor, doctor_options);
     CompareOptions compare_options;
     CLI::App& compare = *app.add_subcommand("compare", "Tell how far two pictures are apart");
     add_compare_flags(compare, compare_options);
@@ -90,6 +102,10 @@ CommandLine parse(const Arguments& arguments) {
     }
     if (info.parsed()) {
         line.info = std::move(info_options);
+        return line;
+    }
+    if (doctor.parsed()) {
+        line.doctor = doctor_options;
         return line;
     }
     if (denoise.parsed()) {

@@ -94,9 +94,14 @@ struct InfoOptions {
     bool json = false;
 };
 
+struct DoctorOptions {
+    bool json = false;
+};
+
 struct CommandLine {
     std::optional<RenderOptions> render;
     std::optional<InfoOptions> info;
+    std::optional<DoctorOptions> doctor;
     std::optional<CompareOptions> compare;
     std::optional<DenoiseOptions> denoise;
     std::string text;  // help or version, to be printed instead

@@ -30,12 +30,11 @@ HM_FN void shade_scatter(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) fr
     if (pdf > 0.0f && dot(p.next_direction, ng) > 0.0f) p.weight = f * (1.0f / pdf);
 }
 
-HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, float hit_distance,
-                       vec2 barycentrics, vec3 direction) {
+HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, vec3 direction) {
     Surface s;
-    load_surface(ids, barycentrics, direction, s);
+    load_surface(ids, origin, direction, s);
     HM_ROW(MaterialData) m = materials[s.material];
-    p.hit_distance = hit_distance;
+    p.hit_distance = s.hit_distance;
     p.passed_through = 0u;
     p.emitted = vec3(0.0f);
     p.emitted_pdf = 0.0f;
@@ -50,7 +49,7 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, float hit_dis
     if (s.front || two_sided) {
         p.emitted = emitted_radiance(m, s.uv0, s.uv1, s.color);
         if (p.bounce > 0u && max_component(p.emitted) > 0.0f)
-            p.emitted_pdf = pdf_emitter(ids, s.geometry, hit_distance, -dot(s.ng, direction));
+            p.emitted_pdf = pdf_emitter(ids, s.geometry, s.hit_distance, -dot(s.ng, direction));
     }
     bool last = params.max_bounces != 0u && p.bounce >= params.max_bounces;
     if (last || (m.flags & kMaterialUnlit) != 0u) return;

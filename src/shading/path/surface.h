@@ -1,4 +1,4 @@
-// From ids and barycentrics to a shading point.
+// From ids and the ray to a shading point.
 //
 // Hooks: load_triangle and load_triangle_extras read a primitive of a geometry (index into
 // `geometries`). Tables: instances, geometries, materials.
@@ -14,6 +14,7 @@ struct Surface {
     vec2 uv1;
     vec4 color;
     bool front;
+    float hit_distance;
     uint material;
     uint geometry;
 };
@@ -62,21 +63,38 @@ HM_FN vec3 map_normal(HM_IN(MaterialData) m, HM_IN(InstanceData) instance, HM_IN
     return normalize(n);
 }
 
-// Everything about the point but its material's values. `direction` is the ray's.
-HM_FN void load_surface(HM_IN(HitIds) ids, vec2 barycentrics, vec3 direction, HM_OUT(Surface) s) {
+// Where a ray meets the plane of a triangle: barycentric weights and distance (Moeller and Trumbore
+// 1997, with the normal edge1 x edge2). They are computed here, not taken from what found the hit,
+// because those differ from device to device by more than rounding, and mirrors enlarge it.
+HM_FN vec3 meet_triangle(vec3 to_origin, vec3 edge1, vec3 edge2, vec3 normal, vec3 direction,
+                         HM_OUT(float) hit_distance) {
+    float inverse = -1.0f / dot(direction, normal);
+    vec3 m = cross(to_origin, direction);
+    float u = clamp(dot(edge2, m) * inverse, 0.0f, 1.0f);
+    float v = clamp(-dot(edge1, m) * inverse, 0.0f, 1.0f - u);
+    hit_distance = max(dot(to_origin, normal) * inverse, 0.0f);
+    // Rays within the plane, which only rounding lets hit.
+    if (!(u >= 0.0f && v >= 0.0f)) return vec3(1.0f, 0.0f, 0.0f);
+    return vec3(1.0f - u - v, u, v);
+}
+
+// Everything about the point but its material's values. `origin` and `direction` are the ray's.
+HM_FN void load_surface(HM_IN(HitIds) ids, vec3 origin, vec3 direction, HM_OUT(Surface) s) {
     HM_ROW(InstanceData) instance = instances[ids.instance];
     s.geometry = instance.first_geometry + ids.geometry;
     HM_ROW(GeometryData) geometry = geometries[s.geometry];
     s.material = geometry.material;
     Triangle t;
     load_triangle(s.geometry, ids.primitive, t);
-    vec3 weights = vec3(1.0f - barycentrics.x - barycentrics.y, barycentrics.x, barycentrics.y);
+    vec3 edge1 = transform_vector(instance.object_to_world, t.b.position - t.a.position);
+    vec3 edge2 = transform_vector(instance.object_to_world, t.c.position - t.a.position);
+    vec3 normal = cross(edge1, edge2);
+    vec3 to_origin = origin - transform_point(instance.object_to_world, t.a.position);
+    vec3 weights = meet_triangle(to_origin, edge1, edge2, normal, direction, s.hit_distance);
     s.position = transform_point(
         instance.object_to_world,
         t.a.position * weights.x + t.b.position * weights.y + t.c.position * weights.z);
-    vec3 edge1 = transform_vector(instance.object_to_world, t.b.position - t.a.position);
-    vec3 edge2 = transform_vector(instance.object_to_world, t.c.position - t.a.position);
-    s.ng = normalize(cross(edge1, edge2));
+    s.ng = normalize(normal);
     if ((instance.flags & kInstanceFlipped) != 0u) s.ng = -s.ng;
     s.front = dot(s.ng, direction) < 0.0f;
     s.uv0 = t.a.uv0 * weights.x + t.b.uv0 * weights.y + t.c.uv0 * weights.z;

@@ -4,7 +4,6 @@
 #include "gpu/bindings.glsl"
 
 layout(location = 0) rayPayloadInEXT PathPayload path_payload;
-hitAttributeEXT vec2 barycentrics;
 
 #include "shading/path/sampler.h"
 #include "shading/path/texture.h"
@@ -20,5 +19,5 @@ void main() {
     ids.instance = gl_InstanceCustomIndexEXT;
     ids.geometry = gl_GeometryIndexEXT;
     ids.primitive = gl_PrimitiveID;
-    closest_hit(path_payload, ids, gl_HitTEXT, barycentrics, gl_WorldRayDirectionEXT);
+    closest_hit(path_payload, ids, gl_WorldRayOriginEXT, gl_WorldRayDirectionEXT);
 }

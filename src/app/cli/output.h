@@ -1,4 +1,4 @@
-// Standard output, with its failures noticed.
+// Standard output, where reports go.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace hm::cli {
 
-// Written out at once. Fails with ExitCode::unwritable.
+// Fails with ExitCode::unwritable.
 Result<void> print(std::string_view text);
 
 }  // namespace hm::cli

@@ -1,4 +1,4 @@
-#include "app/cli/print.h"
+#include "app/cli/output.h"
 
 #include <cstdio>
 

@@ -1,0 +1,240 @@
+#include "app/cli/doctor/checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "base/text.h"
+
+namespace hm::cli {
+namespace {
+
+using Findings = std::vector<Finding>;
+
+constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
+
+Findings check_cpu(const Machine& m) {
+    const std::string text =
+        fmt::format("{}, {} thread{}, drawing with {}", m.cpu.model, m.cpu.threads,
+                    m.cpu.threads == 1 ? "" : "s", m.cpu.instruction_set);
+    if (m.cpu.instruction_set != "baseline") return {{Level::good, "CPU", text}};
+    return {{Level::note, "CPU", text + ": it has no AVX2, which is twice as fast"}};
+}
+
+Findings check_memory(const Machine& m) {
+    constexpr double kEnough = 2;
+    const double free = double(m.memory.available_bytes) / kGiB;
+    const std::string text =
+        fmt::format("{:.1f} GiB, {:.1f} free", double(m.memory.total_bytes) / kGiB, free);
+    if (m.memory.total_bytes == 0) return {{Level::note, "memory", "the system does not say"}};
+    if (free >= kEnough) return {{Level::good, "memory", text}};
+    return {{Level::warning, "memory", text, "Close other programs before drawing large scenes."}};
+}
+
+Findings check_build(const Machine& m) {
+    if (m.built_with_vulkan) return {};
+    return {{Level::warning, "Vulkan renderer", "this build leaves it out, so only the CPU draws",
+             "Install the packages that scripts/install-deps.sh lists, run scripts/fetch-vma.sh "
+             "and build again with -DHIMALAYA_VULKAN=ON."}};
+}
+
+Findings check_loader(const Machine& m) {
+    if (m.loader.trouble.empty())
+        return {
+            {Level::good, "Vulkan loader",
+             fmt::format("{} ({})", m.loader.version.empty() ? "older than 1.1" : m.loader.version,
+                         m.loader.path)}};
+    return {{Level::warning, "Vulkan loader", m.loader.trouble,
+             "Install it: libvulkan1 (Debian, Ubuntu), vulkan-loader (Fedora), vulkan-icd-loader "
+             "(Arch)."}};
+}
+
+bool has_node(const Machine& m, std::string_view start) {
+    return std::any_of(m.nodes.begin(), m.nodes.end(),
+                       [&](const DeviceNode& n) { return n.path.starts_with(start); });
+}
+
+bool sees_nvidia(const Machine& m) {
+    return !m.nvidia_kernel_driver.empty() || has_node(m, "/dev/nvidia");
+}
+
+// The container toolkit hands out the driver's parts by capability, and compute alone is its
+// default.
+std::string nvidia_container_advice(const Machine& m) {
+    return fmt::format(
+        "The container got no graphics part of the driver (NVIDIA_DRIVER_CAPABILITIES is {}): "
+        "start "
+        "it with -e NVIDIA_DRIVER_CAPABILITIES=all, and install libxext6 and libegl1 in it.",
+        m.nvidia_capabilities.empty() ? "not set" : "\"" + m.nvidia_capabilities + "\"");
+}
+
+std::string driver_advice(const Machine& m) {
+    if (sees_nvidia(m))
+        return m.in_container ? nvidia_container_advice(m)
+                              : "Install the Vulkan part of NVIDIA's driver: nvidia-vulkan-icd "
+                                "(Debian), libnvidia-gl-VERSION (Ubuntu).";
+    if (has_node(m, "/dev/dri"))
+        return "Install the card's driver: mesa-vulkan-drivers (AMD, Intel), or NVIDIA's own.";
+    if (m.in_container)
+        return "If the host has a GPU, hand it to the container: --gpus all with NVIDIA's "
+               "container toolkit, --device /dev/dri for AMD and Intel.";
+    return "If the machine has a GPU, install its driver.";
+}
+
+// The distribution's packages of libraries that drivers need and minimal images lack.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kPackages = {{
+    {"libXext.so", "libxext6"},
+    {"libX11.so", "libx11-6"},
+    {"libX11-xcb.so", "libx11-xcb1"},
+    {"libEGL.so", "libegl1"},
+    {"libGLdispatch.so", "libglvnd0"},
+    {"libxcb", "the libxcb packages"},
+    {"libdrm", "libdrm2"},
+    {"libwayland-client.so", "libwayland-client0"},
+}};
+
+std::string library_advice(const Machine& m, const DriverManifest& manifest) {
+    for (const auto& [library, package] : kPackages)
+        if (manifest.trouble.starts_with(library))
+            return fmt::format("Install {} (Debian, Ubuntu).", package);
+    if (manifest.driver.find("nvidia") != std::string::npos && m.in_container)
+        return nvidia_container_advice(m);
+    return "Install the driver again: its manifest is there, its library is not.";
+}
+
+Findings check_drivers(const Machine& m) {
+    Findings findings;
+    bool one_loads = false;
+    for (const DriverManifest& manifest : m.manifests) {
+        const std::string file = manifest.file.string();
+        const bool is_added = m.added_drivers.find(file) != std::string::npos;
+        if (!manifest.trouble.empty()) {
+            findings.push_back({Level::warning, "Vulkan driver",
+                                fmt::format("{}: {}", file, manifest.trouble),
+                                library_advice(m, manifest)});
+            continue;
+        }
+        one_loads = one_loads || manifest.is_searched || is_added;
+        if (is_added)
+            findings.push_back({Level::note, "Vulkan driver",
+                                fmt::format("{}: the loader does not look there; himalaya adds it. "
+                                            "For other programs: export VK_ADD_DRIVER_FILES={}",
+                                            file, file)});
+        else if (manifest.is_searched)
+            findings.push_back(
+                {Level::good, "Vulkan driver", fmt::format("{} ({})", file, manifest.driver)});
+    }
+    if (!m.chosen_drivers.empty())
+        findings.push_back(
+            {Level::note, "Vulkan driver",
+             fmt::format("VK_DRIVER_FILES or VK_ICD_FILENAMES allows these alone: {}",
+                         m.chosen_drivers)});
+    if (!one_loads)
+        findings.push_back(
+            {Level::warning, "Vulkan driver",
+             m.chosen_drivers.empty() ? "none is installed" : "none of those can be used",
+             m.chosen_drivers.empty() ? driver_advice(m)
+                                      : "Unset the variable, or name a manifest."});
+    return findings;
+}
+
+Findings check_nodes(const Machine& m) {
+    std::string refused;
+    for (const DeviceNode& node : m.nodes)
+        if (!node.may_use) refused += " " + node.path;
+    if (refused.empty()) return {};
+    return {{Level::warning, "permissions", "this user may not use" + refused,
+             m.in_container
+                 ? "Start the container with --group-add of the group that owns the file outside."
+                 : "Add the user to the groups that own them (usermod -aG render,video USER), and "
+                   "log in again."}};
+}
+
+std::vector<std::string> missing_of(const VulkanDevice& device) {
+    std::vector<std::string> names;
+    for (const rhi::Capability& c : device.capabilities)
+        if (c.required && !c.present) names.push_back(c.name);
+    return names;
+}
+
+std::string describe(const VulkanDevice& d) {
+    return fmt::format("vulkan:{} {} ({}, {:.1f} GiB, Vulkan {}, {})", d.index, d.name, d.kind,
+                       double(d.memory_bytes) / kGiB, d.api_version, d.driver);
+}
+
+std::string old_driver_advice(const VulkanDevice& d) {
+    if (d.is_software) return "lavapipe traces rays from Mesa 25 on.";
+    return "Update the driver: NVIDIA from 515, Mesa from 24 (AMD, Intel). Where that is done, the "
+           "card is too old: rays need GeForce 10, Radeon RX 6000, Arc or newer.";
+}
+
+Findings check_devices(const Machine& m) {
+    if (!m.built_with_vulkan) return {};
+    if (!m.devices_trouble.empty())
+        return {{Level::warning, "devices", m.devices_trouble,
+                 "See what is said of the loader and the drivers."}};
+    Findings findings;
+    bool has_nvidia = false, has_gpu = false;
+    for (const VulkanDevice& d : m.devices) {
+        has_nvidia = has_nvidia || d.name.find("NVIDIA") != std::string::npos;
+        has_gpu = has_gpu || (!d.is_software && can_trace(d));
+        if (can_trace(d)) {
+            findings.push_back({d.is_software ? Level::note : Level::good, "device",
+                                describe(d) + (d.is_software ? ": software; draws only when it is "
+                                                               "named"
+                                                             : "")});
+            continue;
+        }
+        findings.push_back({d.is_software ? Level::note : Level::warning, "device",
+                            fmt::format("{} lacks {}", describe(d), joined(missing_of(d), ", ")),
+                            old_driver_advice(d)});
+    }
+    if (sees_nvidia(m) && !has_nvidia)
+        findings.push_back({Level::warning, "devices",
+                            "the kernel has an NVIDIA card, Vulkan does not show it",
+                            driver_advice(m)});
+    else if (!has_gpu)
+        findings.push_back({Level::warning, "devices",
+                            "no GPU can draw; --device auto takes the CPU", driver_advice(m)});
+    return findings;
+}
+
+}  // namespace
+
+const std::vector<Check>& all_checks() {
+    static const std::vector<Check> kChecks = {check_cpu,    check_memory,  check_build,
+                                               check_loader, check_drivers, check_nodes,
+                                               check_devices};
+    return kChecks;
+}
+
+std::vector<Finding> check_all(const Machine& machine) {
+    Findings all;
+    for (const Check check : all_checks())
+        for (Finding& finding : check(machine))
+            all.push_back(std::move(finding));
+    return all;
+}
+
+std::vector<FeatureTier> tiers_of(const VulkanDevice& device) {
+    std::vector<FeatureTier> tiers = {{"path tracing", missing_of(device)}};
+    for (const rhi::Capability& c : device.capabilities) {
+        if (c.required) continue;
+        const auto same = std::find_if(tiers.begin(), tiers.end(), [&](const FeatureTier& tier) {
+            return tier.feature == c.purpose;
+        });
+        FeatureTier& tier =
+            same != tiers.end() ? *same : tiers.emplace_back(FeatureTier{c.purpose, {}});
+        if (!c.present) tier.missing.push_back(c.name);
+    }
+    return tiers;
+}
+
+bool can_trace(const VulkanDevice& device) {
+    return missing_of(device).empty();
+}
+
+}  // namespace hm::cli

@@ -1,0 +1,39 @@
+// What is right and wrong with a machine, and what to do about it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/doctor/machine.h"
+
+namespace hm::cli {
+
+enum class Level {
+    good,
+    note,     // worth knowing, nothing to do
+    warning,  // pictures can be drawn, but not with all that the machine seems to have
+};
+
+struct Finding {
+    Level level = Level::good;
+    std::string subject;  // a word or two: "Vulkan loader"
+    std::string text;
+    std::string advice = {};  // what to do; empty where there is nothing
+};
+
+using Check = std::vector<Finding> (*)(const Machine&);
+
+// In the order in which they are told. A new check is one more line here.
+const std::vector<Check>& all_checks();
+
+std::vector<Finding> check_all(const Machine& machine);
+
+// What of ours a Vulkan device can do.
+struct FeatureTier {
+    std::string feature;               // "path tracing"
+    std::vector<std::string> missing;  // by name; empty: the device has the feature
+};
+std::vector<FeatureTier> tiers_of(const VulkanDevice& device);
+bool can_trace(const VulkanDevice& device);
+
+}  // namespace hm::cli

@@ -1,0 +1,179 @@
+// What the doctor says of machines that do not exist.
+#include "app/cli/doctor/checks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace hm::cli {
+namespace {
+
+constexpr const char* kTracing = "VK_KHR_ray_tracing_pipeline";
+constexpr const char* kReorder = "VK_NV_ray_tracing_invocation_reorder";
+
+VulkanDevice make_device(std::string name, bool is_software, bool traces) {
+    VulkanDevice d;
+    d.name = std::move(name);
+    d.kind = is_software ? "CPU" : "discrete GPU";
+    d.is_software = is_software;
+    d.api_version = "1.3.300";
+    d.memory_bytes = 24ull << 30;
+    d.capabilities = {{"Vulkan 1.3", "the version this is written for", true, true},
+                      {kTracing, "tracing rays", true, traces},
+                      {kReorder, "rays sorted before shading", false, false},
+                      {"rayTracingInvocationReorder", "rays sorted before shading", false, false}};
+    return d;
+}
+
+// A workstation on which nothing is amiss.
+Machine healthy() {
+    Machine m;
+    m.cpu = {"Fake CPU", 16, "avx2"};
+    m.memory = {32ull << 30, 16ull << 30};
+    m.loader = {"/usr/lib/libvulkan.so.1", "1.3.239", ""};
+    m.manifests = {{"/usr/share/vulkan/icd.d/nvidia_icd.json", "libGLX_nvidia.so.0", true, ""}};
+    m.nodes = {{"/dev/dri/renderD128", true}, {"/dev/nvidiactl", true}};
+    m.nvidia_kernel_driver = "580.159.04";
+    m.devices = {make_device("NVIDIA Fake 3000", false, true)};
+    return m;
+}
+
+std::string text_of(const Finding& f) {
+    return f.subject + ": " + f.text + " -> " + f.advice;
+}
+
+// All findings that are to be acted upon, joined.
+std::string warnings_of(const Machine& m) {
+    std::string all;
+    for (const Finding& f : check_all(m))
+        if (f.level == Level::warning) all += text_of(f) + "\n";
+    return all;
+}
+
+bool says(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(Doctor, FindsNothingWrongWithAHealthyMachine) {
+    EXPECT_EQ(warnings_of(healthy()), "");
+}
+
+TEST(Doctor, EveryWarningSaysWhatToDo) {
+    Machine m = healthy();
+    m.loader = {"", "", "libvulkan.so.1: cannot open shared object file"};
+    m.manifests.clear();
+    m.devices.clear();
+    m.nodes[0].may_use = false;
+    m.memory.available_bytes = 1 << 20;
+    for (const bool is_built : {false, true}) {
+        m.built_with_vulkan = is_built;
+        for (const Finding& f : check_all(m))
+            EXPECT_TRUE(f.level != Level::warning || !f.advice.empty()) << text_of(f);
+    }
+}
+
+TEST(Doctor, NamesThePackageOfAMissingLoader) {
+    Machine m = healthy();
+    m.loader = {"", "", "libvulkan.so.1: cannot open shared object file"};
+    EXPECT_TRUE(says(warnings_of(m), "libvulkan1"));
+}
+
+TEST(Doctor, KnowsAContainerWithoutTheGraphicsCapability) {
+    Machine m = healthy();
+    m.in_container = true;
+    m.manifests.clear();
+    m.devices.clear();
+    m.nvidia_capabilities = "compute,utility";
+    const std::string said = warnings_of(m);
+    EXPECT_TRUE(says(said, "none is installed")) << said;
+    EXPECT_TRUE(says(said, "NVIDIA_DRIVER_CAPABILITIES is \"compute,utility\"")) << said;
+    EXPECT_TRUE(says(said, "NVIDIA_DRIVER_CAPABILITIES=all")) << said;
+    EXPECT_TRUE(says(said, "libegl1")) << said;
+}
+
+TEST(Doctor, NamesThePackageOfALibraryThatADriverMisses) {
+    Machine m = healthy();
+    m.in_container = true;
+    m.devices.clear();
+    m.manifests[0].trouble = "libXext.so.6: cannot open shared object file: No such file";
+    EXPECT_TRUE(says(warnings_of(m), "Install libxext6"));
+    m.manifests[0].trouble = "libEGL.so.1: cannot open shared object file: No such file";
+    EXPECT_TRUE(says(warnings_of(m), "Install libegl1"));
+    m.manifests[0].trouble = "libGLX_nvidia.so.0: cannot open shared object file: No such file";
+    EXPECT_TRUE(says(warnings_of(m), "NVIDIA_DRIVER_CAPABILITIES"));
+}
+
+TEST(Doctor, TellsOfAManifestThatOnlyHimalayaFinds) {
+    Machine m = healthy();
+    m.manifests[0].file = "/usr/local/nvidia/share/vulkan/icd.d/nvidia_icd.json";
+    m.manifests[0].is_searched = false;
+    m.added_drivers = m.manifests[0].file;
+    EXPECT_EQ(warnings_of(m), "");
+    const auto found = check_all(m);
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [](const Finding& f) {
+        return f.level == Level::note &&
+               says(f.text, "export VK_ADD_DRIVER_FILES=/usr/local/nvidia/");
+    }));
+}
+
+TEST(Doctor, SaysThatAChosenDriverIsNotThere) {
+    Machine m = healthy();
+    m.chosen_drivers = "/nowhere/icd.json";
+    m.manifests = {{"/nowhere/icd.json", "", true, "the manifest names no library"}};
+    m.devices.clear();
+    m.devices_trouble = "Vulkan: the loader finds no device";
+    EXPECT_TRUE(says(warnings_of(m), "none of those can be used -> Unset the variable"));
+}
+
+TEST(Doctor, SoftwareAloneIsNoGpu) {
+    Machine m = healthy();
+    m.nodes.clear();
+    m.nvidia_kernel_driver.clear();
+    m.devices = {make_device("llvmpipe", true, true)};
+    const std::string said = warnings_of(m);
+    EXPECT_TRUE(says(said, "no GPU can draw")) << said;
+    EXPECT_FALSE(says(said, "llvmpipe")) << said;
+}
+
+TEST(Doctor, NamesWhatADeviceLacksAndHowToGetIt) {
+    Machine m = healthy();
+    m.devices = {make_device("NVIDIA Fake 700", false, false)};
+    const std::string said = warnings_of(m);
+    EXPECT_TRUE(says(said, std::string("lacks ") + kTracing)) << said;
+    EXPECT_TRUE(says(said, "Update the driver")) << said;
+}
+
+TEST(Doctor, SeesThatVulkanDoesNotShowTheKernelsCard) {
+    Machine m = healthy();
+    m.devices = {make_device("AMD Fake", false, true)};
+    EXPECT_TRUE(says(warnings_of(m), "the kernel has an NVIDIA card"));
+}
+
+TEST(Doctor, NamesFilesThatTheUserMayNotUse) {
+    Machine m = healthy();
+    m.nodes[0].may_use = false;
+    EXPECT_TRUE(says(warnings_of(m), "/dev/dri/renderD128 -> Add the user to the groups"));
+    m.in_container = true;
+    EXPECT_TRUE(says(warnings_of(m), "--group-add"));
+}
+
+TEST(Doctor, SaysThatABuildLeavesVulkanOut) {
+    Machine m = healthy();
+    m.built_with_vulkan = false;
+    m.devices.clear();
+    m.devices_trouble = "this build leaves the Vulkan renderer out";
+    EXPECT_TRUE(says(warnings_of(m), "HIMALAYA_VULKAN=ON"));
+}
+
+TEST(Doctor, FeaturesComeOncePerPurposeWithAllThatIsMissing) {
+    const auto tiers = tiers_of(make_device("llvmpipe", true, true));
+    ASSERT_EQ(tiers.size(), 2u);
+    EXPECT_EQ(tiers[0].feature, "path tracing");
+    EXPECT_TRUE(tiers[0].missing.empty());
+    EXPECT_EQ(tiers[1].feature, "rays sorted before shading");
+    EXPECT_EQ(tiers[1].missing,
+              (std::vector<std::string>{kReorder, "rayTracingInvocationReorder"}));
+}
+
+}  // namespace
+}  // namespace hm::cli

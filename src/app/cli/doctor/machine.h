@@ -1,0 +1,54 @@
+// What `himalaya doctor` finds out about a machine, as plain data: the checks read nothing else, so
+// the tests show them machines that do not exist.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/drivers.h"
+#include "app/cli/vulkan_devices.h"
+#include "base/machine.h"
+
+namespace hm::cli {
+
+struct CpuFacts {
+    std::string model;
+    unsigned threads = 0;
+    std::string instruction_set;  // what the stages run as: "baseline", "avx2" or "avx512"
+};
+
+// The library libvulkan.so.1.
+struct LoaderFacts {
+    std::string path, version;  // where it was found; "1.3.239"
+    std::string trouble;        // why it can't be opened
+};
+
+// A file in /dev that a driver talks to its card through.
+struct DeviceNode {
+    std::string path;
+    bool may_use = false;  // this user may read and write it
+};
+
+struct Machine {
+    CpuFacts cpu;
+    MemoryFacts memory;
+    bool in_container = false;
+
+    bool built_with_vulkan = true;
+    LoaderFacts loader;
+    std::vector<DriverManifest> manifests;
+    std::string chosen_drivers;  // VK_DRIVER_FILES or VK_ICD_FILENAMES
+    std::string added_drivers;   // what we add ourselves, see drivers_to_add
+    std::vector<DeviceNode> nodes;
+    std::string nvidia_kernel_driver;  // its version, where its module is loaded
+    std::string nvidia_capabilities;   // NVIDIA_DRIVER_CAPABILITIES
+
+    std::vector<VulkanDevice> devices;
+    std::string devices_trouble;  // why none could be listed
+};
+
+// Opens drivers, so it takes as long as they do.
+Machine examine_machine();
+
+}  // namespace hm::cli

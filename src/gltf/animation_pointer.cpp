@@ -1,0 +1,92 @@
+#include "gltf/animation_pointer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace hm::gltf {
+namespace {
+
+// "#" stands for the owner's number. The glTF 2.0 Asset Object Model lists all that may be pointed
+// at; what is missing here (texture transforms, single weights, a mesh's weights) is left out with
+// a warning.
+struct Property {
+    std::string_view pointer;
+    std::variant<std::monostate, AnimatedProperty, AnimatedValue> what;
+};
+constexpr std::string_view kLights = "/extensions/KHR_lights_punctual/lights/";
+constexpr std::array<Property, 25> kProperties{{
+    {"/nodes/#/translation", AnimatedProperty::translation},
+    {"/nodes/#/rotation", AnimatedProperty::rotation},
+    {"/nodes/#/scale", AnimatedProperty::scale},
+    {"/nodes/#/weights", AnimatedProperty::weights},
+    {"/nodes/#/extensions/KHR_node_visibility/visible", AnimatedValue::node_visible},
+    {"/materials/#/pbrMetallicRoughness/baseColorFactor", AnimatedValue::base_color},
+    {"/materials/#/pbrMetallicRoughness/metallicFactor", AnimatedValue::metallic},
+    {"/materials/#/pbrMetallicRoughness/roughnessFactor", AnimatedValue::roughness},
+    {"/materials/#/emissiveFactor", AnimatedValue::emissive_factor},
+    {"/materials/#/extensions/KHR_materials_emissive_strength/emissiveStrength",
+     AnimatedValue::emissive_strength},
+    {"/materials/#/alphaCutoff", AnimatedValue::alpha_cutoff},
+    {"/materials/#/normalTexture/scale", AnimatedValue::normal_scale},
+    {"/materials/#/occlusionTexture/strength", {}},
+    {"/extensions/KHR_lights_punctual/lights/#/color", AnimatedValue::light_color},
+    {"/extensions/KHR_lights_punctual/lights/#/intensity", AnimatedValue::light_intensity},
+    {"/extensions/KHR_lights_punctual/lights/#/range", AnimatedValue::light_range},
+    {"/extensions/KHR_lights_punctual/lights/#/spot/innerConeAngle", AnimatedValue::inner_cone},
+    {"/extensions/KHR_lights_punctual/lights/#/spot/outerConeAngle", AnimatedValue::outer_cone},
+    {"/cameras/#/perspective/yfov", AnimatedValue::yfov},
+    {"/cameras/#/perspective/aspectRatio", {}},
+    {"/cameras/#/perspective/znear", {}},
+    {"/cameras/#/perspective/zfar", {}},
+    {"/cameras/#/orthographic/xmag", AnimatedValue::xmag},
+    {"/cameras/#/orthographic/ymag", AnimatedValue::ymag},
+    {"/cameras/#/orthographic/zfar", {}},
+}};
+
+// A pointer with its owner's number as "#".
+struct Pattern {
+    std::string pointer;
+    std::size_t owner = 0;
+};
+
+std::optional<Pattern> split(std::string_view pointer) {
+    const std::size_t table =
+        pointer.starts_with(kLights) ? kLights.size() - 1 : pointer.find('/', 1);
+    if (table == pointer.npos) return std::nullopt;
+    const char* const first = pointer.data() + table + 1;
+    const char* const end = pointer.data() + pointer.size();
+    Pattern out;
+    const auto [stopped, error] = std::from_chars(first, end, out.owner);
+    // A number of RFC 6901 has no leading zeros.
+    if (error != std::errc() || stopped == end || (*first == '0' && stopped - first > 1))
+        return std::nullopt;
+    out.pointer = fmt::format("{}#{}", pointer.substr(0, table + 1),
+                              std::string_view(stopped, std::size_t(end - stopped)));
+    return out;
+}
+
+}  // namespace
+
+Result<std::optional<PointedProperty>> read_pointer(const Json& root, const Json& target) {
+    HM_TRY_ASSIGN(const auto extension, target.extension("KHR_animation_pointer"));
+    if (!extension) return std::nullopt;
+    HM_TRY_ASSIGN(const std::string_view pointer,
+                  extension->required("pointer", extension->text("pointer")));
+    const auto pattern = split(pointer);
+    if (!pattern) return std::nullopt;
+    const auto* const known = std::find_if(
+        kProperties.begin(), kProperties.end(),
+        [&](const Property& property) { return property.pointer == pattern->pointer; });
+    if (known == kProperties.end()) return std::nullopt;
+    // The property itself may be its default.
+    if (!root.leads_to_object(pointer.substr(0, pointer.rfind('/'))))
+        return extension->invalid("pointer",
+                                  fmt::format("{} leads to nothing in the file", excerpt(pointer)));
+    return PointedProperty{known->what, pattern->owner};
+}
+
+}  // namespace hm::gltf
