@@ -37,10 +37,17 @@ std::uint64_t json_memory(std::span<const std::byte> text) {
     // The parser copies the text, and the strings once more. A value makes up to three words of
     // its tape, and what the loader itself lists of it.
     constexpr std::uint64_t kValue = 24 + sizeof(Json);
-    const auto values = std::count_if(text.begin(), text.end(), [](std::byte b) {
-        return b == std::byte(',') || b == std::byte('{') || b == std::byte('[');
-    });
-    return 2 * text.size() + kValue * static_cast<std::uint64_t>(values);
+    // Counted in pieces that a narrow sum holds, so that many bytes are looked at at once.
+    constexpr std::size_t kPiece = 128;
+    std::uint64_t values = 0;
+    for (; !text.empty(); text = text.subspan(std::min(kPiece, text.size()))) {
+        std::uint8_t found = 0;
+        for (const std::byte b : text.first(std::min(kPiece, text.size())))
+            found = std::uint8_t(
+                found + (b == std::byte(',') || b == std::byte('{') || b == std::byte('[')));
+        values += found;
+    }
+    return 2 * text.size() + kValue * values;
 }
 
 Result<void> check_memory(const Budget& budget, std::uint64_t bytes, const std::string& file,

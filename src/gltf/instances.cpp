@@ -9,11 +9,6 @@
 namespace hm::gltf {
 namespace {
 
-bool is_deformable(const Mesh& mesh) {
-    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
-                       [](const Primitive& p) { return p.deformation != nullptr; });
-}
-
 std::uint64_t copy_bytes(const Mesh& mesh) {
     std::uint64_t bytes = sizeof(Mesh);
     for (const Primitive& p : mesh.primitives)
@@ -31,6 +26,11 @@ std::vector<bool> nodes_with_animated_weights(const Scene& scene) {
 }
 
 }  // namespace
+
+bool is_deformable(const Mesh& mesh) {
+    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                       [](const Primitive& p) { return p.deformation != nullptr; });
+}
 
 Result<void> separate_posed_meshes(Source& source, Scene& scene) {
     const std::vector<bool> animated = nodes_with_animated_weights(scene);

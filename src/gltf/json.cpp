@@ -188,6 +188,7 @@ Result<std::vector<Json>> Json::objects(std::string_view key) const {
     std::vector<Json> out;
     if (!values) return out;
     const std::string place = place_of(key);
+    out.reserve(values->size());
     for (const dom::element value : *values) {
         HM_TRY_ASSIGN(Json item, to_object(value, element_place(place, out.size())));
         out.push_back(std::move(item));
@@ -304,11 +305,17 @@ Result<std::vector<float>> Json::number_list(std::string_view key) const {
 }
 
 Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
-    if (!has(key)) return false;
-    HM_TRY_ASSIGN(const std::vector<float> read, number_list(key));
-    if (read.size() != out.size())
-        return invalid(key, fmt::format("expected {} numbers, found {}", out.size(), read.size()));
-    std::copy(read.begin(), read.end(), out.begin());
+    HM_TRY_ASSIGN(const auto values, array(key));
+    if (!values) return false;
+    if (values->size() != out.size())
+        return invalid(key,
+                       fmt::format("expected {} numbers, found {}", out.size(), values->size()));
+    std::size_t i = 0;
+    for (const dom::element value : *values) {
+        const auto here = [&] { return element_place(place_of(key), i); };
+        HM_TRY_ASSIGN(out[i], to_number(value, here));
+        ++i;
+    }
     return true;
 }
 

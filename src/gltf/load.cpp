@@ -1,6 +1,7 @@
 // The order of loading: container, JSON, tables of bytes, then what the scene is made of.
 #include "gltf/load.h"
 
+#include <algorithm>
 #include <new>
 #include <system_error>
 
@@ -66,7 +67,8 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     HM_TRY(check_skinned_nodes(source, scene_node, scene));
     HM_TRY_ASSIGN(scene.animations, read_animations(root, source, scene_node, scene));
     HM_TRY(separate_posed_meshes(source, scene));
-    HM_TRY(pose_scene(scene, std::nullopt));
+    if (std::any_of(scene.meshes.begin(), scene.meshes.end(), is_deformable))
+        HM_TRY(pose_scene(scene, std::nullopt));  // else all stands at rest already
     scene.hash = source.hash.text();
     return scene;
 }

@@ -38,9 +38,8 @@ Result<bool> read_visible(const Json& item) {
     return extension->flag("visible");
 }
 
-Result<FileNode> read_node(const Json& item, Source& source, const Counts& counts,
-                           const Scene& scene) {
-    FileNode out;
+Result<void> read_node(const Json& item, Source& source, const Counts& counts, const Scene& scene,
+                       FileNode& out) {
     HM_TRY_ASSIGN(out.node.name, item.name());
     HM_TRY(read_transform(item, out.node));
     HM_TRY_ASSIGN(const auto mesh, item.index("mesh", scene.meshes.size(), "meshes"));
@@ -66,7 +65,7 @@ Result<FileNode> read_node(const Json& item, Source& source, const Counts& count
             lights->required("light", lights->index("light", scene.lights.size(), "lights")));
         out.node.light = static_cast<int>(light);
     }
-    return out;
+    return {};
 }
 
 // Sets the parents. Fails unless the nodes are strict trees (3.5.2).
@@ -158,6 +157,7 @@ std::vector<int> flatten(std::vector<FileNode>& nodes, const std::vector<std::si
                          Scene& scene) {
     std::vector<int> new_index(nodes.size(), kUnset);
     std::vector<std::size_t> open(roots.rbegin(), roots.rend());
+    scene.nodes.reserve(nodes.size());
     while (!open.empty()) {
         const std::size_t at = open.back();
         open.pop_back();
@@ -193,8 +193,7 @@ Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& sce
     std::vector<FileNode> nodes;
     nodes.reserve(items.size());
     for (const Json& item : items) {
-        HM_TRY_ASSIGN(FileNode node, read_node(item, source, {items.size(), skins.size()}, scene));
-        nodes.push_back(std::move(node));
+        HM_TRY(read_node(item, source, {items.size(), skins.size()}, scene, nodes.emplace_back()));
     }
     HM_TRY(link_parents(source, nodes));
     HM_TRY_ASSIGN(const auto roots, choose_roots(root, source, nodes));
