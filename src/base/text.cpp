@@ -35,6 +35,17 @@ bool is_control(std::string_view character) {
            static_cast<unsigned char>(character[1]) < 0xA0;
 }
 
+// Marks that break the line or turn the direction of what follows, so that it reads as something
+// else: U+061C, U+200E and F, U+2028 to 202E, U+2066 to 2069.
+bool reorders(std::string_view character) {
+    if (character == "\xD8\x9C") return true;
+    if (character.size() != 3 || character[0] != '\xE2') return false;
+    const auto second = static_cast<unsigned char>(character[1]);
+    const auto third = static_cast<unsigned char>(character[2]);
+    if (second == 0x80) return third == 0x8E || third == 0x8F || (third >= 0xA8 && third <= 0xAE);
+    return second == 0x81 && third >= 0xA6 && third <= 0xA9;
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -44,7 +55,7 @@ std::string printable(std::string_view text) {
     while (!text.empty()) {
         const std::size_t length = utf8_length(text);
         const std::string_view character = text.substr(0, length == 0 ? 1 : length);
-        if (length != 0 && !is_control(character)) {
+        if (length != 0 && !is_control(character) && !reorders(character)) {
             out += character;
         } else {
             for (const char c : character) {

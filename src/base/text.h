@@ -7,7 +7,7 @@
 
 namespace hm {
 
-// Control characters (C0, DEL, C1) and bytes that are not UTF-8 become \xNN.
+// Control characters (C0, DEL, C1), marks that reorder a line and bytes that are no UTF-8: \xNN.
 std::string printable(std::string_view text);
 
 // "a, b, c" with ", " as separator.

@@ -21,6 +21,18 @@ TEST(Printable, EscapesControlCharacters) {
     EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
 }
 
+TEST(Printable, EscapesWhatTurnsTheDirectionOrBreaksTheLine) {
+    EXPECT_EQ(printable("a\xE2\x80\xAE"
+                        "b"),
+              "a\\xE2\\x80\\xAEb");                           // U+202E
+    EXPECT_EQ(printable("\xE2\x81\xA6"), "\\xE2\\x81\\xA6");  // U+2066
+    EXPECT_EQ(printable("\xE2\x80\xA8"), "\\xE2\\x80\\xA8");  // U+2028
+    EXPECT_EQ(printable("\xD8\x9C"), "\\xD8\\x9C");           // U+061C
+    // Their neighbours stay: an en dash, a joiner, a fraction slash, an Arabic letter.
+    const char* plain = "\xE2\x80\x93 \xE2\x80\x8D \xE2\x81\x84 \xD8\xA7";
+    EXPECT_EQ(printable(plain), plain);
+}
+
 TEST(Printable, EscapesWhatIsNotUtf8) {
     EXPECT_EQ(printable("\x80"), "\\x80");                    // continuation without a start
     EXPECT_EQ(printable("\xC0\xAF"), "\\xC0\\xAF");           // overlong
