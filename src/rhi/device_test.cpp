@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <numeric>
 
 #include "rhi/buffer.h"
@@ -230,12 +229,11 @@ TEST_F(RhiDevice, ADeviceThatLacksSomethingIsNotMade) {
 }
 
 TEST(RhiInstance, NoDriverIsNamed) {
-    ::setenv("VK_DRIVER_FILES", "/nonexistent/icd.json", 1);
-    ::unsetenv("VK_ADD_DRIVER_FILES");
+    const test::Variable only("VK_DRIVER_FILES", "/nonexistent/icd.json");
+    const test::Variable none("VK_ADD_DRIVER_FILES", nullptr);
     const Result<std::shared_ptr<Instance>> instance = Instance::create({.validation = false});
     const Result<std::vector<PhysicalDevice>> devices =
         instance ? (*instance)->devices() : std::vector<PhysicalDevice>{};
-    ::unsetenv("VK_DRIVER_FILES");
     if (instance) {
         EXPECT_TRUE(value_of(devices).empty());
     } else {

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 
 #include "base/files.h"
@@ -142,16 +141,16 @@ TEST_F(RhiPipeline, ACacheThatCannotBeWrittenIsAnError) {
 }
 
 TEST(RhiPipelineCache, FollowsTheUsersCacheFolder) {
-    const char* old = std::getenv("XDG_CACHE_HOME");
-    const std::string kept = old != nullptr ? old : "";
-    ::setenv("XDG_CACHE_HOME", "/elsewhere", 1);
-    EXPECT_EQ(default_cache_folder(), fs::path("/elsewhere/himalaya"));
-    ::setenv("XDG_CACHE_HOME", "relative", 1);  // the specification says to ignore it
-    ::setenv("HOME", "/home/somebody", 1);
+    const test::Variable home("HOME", "/home/somebody");
+    {
+        const test::Variable cache("XDG_CACHE_HOME", "/elsewhere");
+        EXPECT_EQ(default_cache_folder(), fs::path("/elsewhere/himalaya"));
+    }
+    // The specification says to ignore it.
+    const test::Variable cache("XDG_CACHE_HOME", "relative");
     EXPECT_EQ(default_cache_folder(), fs::path("/home/somebody/.cache/himalaya"));
-    ::unsetenv("HOME");
+    const test::Variable homeless("HOME", nullptr);
     EXPECT_EQ(default_cache_folder(), fs::path());
-    if (old != nullptr) ::setenv("XDG_CACHE_HOME", kept.c_str(), 1);
 }
 
 }  // namespace

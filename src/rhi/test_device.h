@@ -5,7 +5,9 @@
 
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "rhi/device.h"
 #include "rhi/instance.h"
@@ -22,6 +24,29 @@ T value_of(Result<T> result) {
 inline void expect_ok(const Result<void>& result) {
     EXPECT_TRUE(result.has_value()) << result.error().line();
 }
+
+// An environment variable with another value, or none, for as long as this lives.
+class Variable {
+  public:
+    Variable(const char* name, const char* value) : name_(name) {
+        if (const char* old = std::getenv(name)) old_ = old;
+        set(value);
+    }
+    ~Variable() { set(old_ ? old_->c_str() : nullptr); }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+  private:
+    void set(const char* value) const {
+        if (value != nullptr)
+            ::setenv(name_, value, 1);
+        else
+            ::unsetenv(name_);
+    }
+
+    const char* name_;
+    std::optional<std::string> old_;
+};
 
 // Number HIMALAYA_TEST_DEVICE of the loader's list, or else the best, or where only software offers
 // ray tracing, that.
