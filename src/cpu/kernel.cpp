@@ -54,6 +54,46 @@ struct Stages : KernelTables {
         return any_hit_accepts(key, ids, vec2(hit.u, hit.v));
     }
 
+#ifdef HM_AOVS
+    std::size_t pixel = 0;      // of the film
+    KernelHit* hits = nullptr;  // of this pixel's samples
+    uint first_index = 0;       // of those
+
+    void begin_pixel(const KernelTile& tile, uint x, uint y) {
+        const std::size_t column = x - tile.x0, row = y - tile.y0;
+        pixel = tile.first_pixel + row * tile.stride + column;
+        first_index = tile.sample_begin;
+        const std::size_t count = tile.sample_end - tile.sample_begin;
+        if (tile.hits) hits = tile.hits + (row * (tile.x1 - tile.x0) + column) * count;
+    }
+
+    bool has_plane(uint plane) const {
+        return planes[plane] != nullptr;
+    }
+    float plane_value(uint plane, uint floats, uint at) const {
+        return planes[plane][pixel * floats + at];
+    }
+    void set_plane_value(uint plane, uint floats, uint at, float value) {
+        planes[plane][pixel * floats + at] = value;
+    }
+
+    void keep_ids(uint index, const HitIds& ids) {
+        if (hits) hits[index - first_index] = {ids.instance, ids.geometry};
+    }
+
+    vec3 moved_position(const HitFacts& facts) {
+        const KernelGeometry& g = geometry_vertices[facts.geometry];
+        const vec3* moved = next_positions[facts.geometry];
+        const uvec3 i = g.triangles[facts.ids.primitive];
+        const auto at = [&](uint v) { return moved ? moved[v] : g.vertices[v].position; };
+        const vec3 w = facts.weights;
+        const vec3 local = at(i.x) * w.x + at(i.y) * w.y + at(i.z) * w.z;
+        return transform_point(next_transforms[facts.ids.instance], local);
+    }
+#else
+    void begin_pixel(const KernelTile&, uint, uint) {}
+#endif
+
 #include "shading/path/path.h"
 };
 
@@ -68,11 +108,15 @@ extern "C" void HM_RENDER_TILE(const void* tables, void* tile_data) {
     for (hm::uint y = tile.y0; y < tile.y1; ++y)
         for (hm::uint x = tile.x0; x < tile.x1; ++x) {
             hm::PixelSum& pixel = tile.pixels[(y - tile.y0) * tile.stride + (x - tile.x0)];
+            stages.begin_pixel(tile, x, y);
             for (hm::uint index = tile.sample_begin; index < tile.sample_end; ++index) {
-                hm::PathSample sample;
+                hm::PathSample sample{};
                 stages.trace_sample(x, y, index, sample);
                 tile.rays += sample.rays;
-                if (!stages.add_sample(pixel, sample)) ++tile.non_finite;
+                if (stages.add_sample(pixel, sample))
+                    stages.add_aovs(index, sample);
+                else
+                    ++tile.non_finite;
             }
         }
 }

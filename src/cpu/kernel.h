@@ -5,6 +5,7 @@
 
 #include "bvh/view.h"
 #include "scene/image_view.h"
+#include "shading/path/aov_planes.h"
 #include "shading/path/types.h"
 
 namespace hm {
@@ -40,6 +41,18 @@ struct KernelTables {
     EnvironmentData environment;
     CameraData camera;
     RenderParams params;
+
+    // For the builds with AOVs.
+    AovParams aovs;
+    float* planes[kPlaneCount];         // of the film, from its first pixel; null: not asked for
+    const uint* source_groups;          // of each source of light
+    const mat4x3* next_transforms;      // per instance, at the next frame
+    const vec3* const* next_positions;  // per geometry; null: its vertices stay
+};
+
+struct KernelHit {
+    uint instance;
+    uint geometry;  // within the instance's mesh
 };
 
 // Pixels [x0, x1) x [y0, y1), samples [sample_begin, sample_end), added to pixels[(y - y0) * stride
@@ -49,6 +62,10 @@ struct KernelTile {
     uint sample_begin, sample_end;
     PixelSum* pixels;
     uint stride;
+    // For the builds with AOVs:
+    std::size_t first_pixel;  // where `pixels` begins in the film
+    KernelHit* hits;  // what each sample hits: for each pixel of the tile, row by row, one per
+                      // sample. Left as it is for those that hit nothing. Null: not asked for
     uint rays;        // out
     uint non_finite;  // out
 };
@@ -58,9 +75,9 @@ struct KernelTile {
 extern "C" {
 // Arguments are hm::KernelTables and hm::KernelTile, whatever hm is called there.
 using hm_render_tile = void(const void* tables, void* tile);
-hm_render_tile hm_render_tile_baseline;
+hm_render_tile hm_render_tile_baseline, hm_render_tile_baseline_aovs;
 #if defined(__x86_64__)
-hm_render_tile hm_render_tile_avx2;
-hm_render_tile hm_render_tile_avx512;
+hm_render_tile hm_render_tile_avx2, hm_render_tile_avx2_aovs;
+hm_render_tile hm_render_tile_avx512, hm_render_tile_avx512_aovs;
 #endif
 }

@@ -11,6 +11,7 @@
 
 #include "base/check.h"
 #include "cpu/kernel.h"
+#include "scene/surface_names.h"
 #include "shading/tables/tables.h"
 
 namespace hm {
@@ -21,17 +22,18 @@ constexpr std::uint32_t kTileSize = 16;
 struct InstructionSet {
     const char* name;
     hm_render_tile* render_tile;
+    hm_render_tile* render_tile_aovs;
 };
 
 InstructionSet choose_instruction_set() {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))
-        return {"avx512", hm_render_tile_avx512};
+        return {"avx512", hm_render_tile_avx512, hm_render_tile_avx512_aovs};
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return {"avx2", hm_render_tile_avx2};
+        return {"avx2", hm_render_tile_avx2, hm_render_tile_avx2_aovs};
 #endif
-    return {"baseline", hm_render_tile_baseline};
+    return {"baseline", hm_render_tile_baseline, hm_render_tile_baseline_aovs};
 }
 
 Bvh build_scene_bvh(const FlatScene& scene) {
@@ -71,7 +73,15 @@ struct CpuRenderer::Impl {
             geometries.push_back({view.vertices, view.extras, view.triangles});
     }
 
+    // For films with AOVs.
+    bool with_aovs = false;
+    std::vector<const vec3*> next_positions;
+    std::vector<std::uint32_t> surfaces;  // see first_surfaces
+
     KernelTables make_tables() const;
+    void prepare_aovs();
+    void render_tile(KernelTile& tile);
+    void fold_hits(const KernelTile& tile, std::span<const KernelHit> hits);
 };
 
 KernelTables CpuRenderer::Impl::make_tables() const {
@@ -132,12 +142,73 @@ RendererReport CpuRenderer::report() const {
                           {"merged_instances", s.merged_instances}}};
 }
 
+void CpuRenderer::Impl::prepare_aovs() {
+    const AovTables& scene_tables = scene.aovs;
+    with_aovs = film->selection.needs_planes();
+    if (!with_aovs) return;
+    tables.aovs = aov_params(film->selection, job, !scene_tables.next_transforms.empty());
+    for (FilmPlane& plane : film->planes)
+        tables.planes[plane.plane] = plane.values.data();
+    tables.source_groups = scene_tables.source_groups.data();
+    tables.next_transforms = scene_tables.next_transforms.data();
+    next_positions.clear();
+    for (const std::vector<vec3>& positions : scene_tables.next_positions)
+        next_positions.push_back(positions.empty() ? nullptr : positions.data());
+    tables.next_positions = next_positions.data();
+    surfaces = film->selection.wants_ids() ? first_surfaces(scene) : std::vector<std::uint32_t>();
+    HM_CHECK(
+        film->find_plane(kPlaneLightGroups) == nullptr ||
+            scene_tables.source_groups.size() == 1 + scene.lights.size() + scene.materials.size(),
+        "{} sources of light have a group", scene_tables.source_groups.size());
+}
+
+// Counts what the samples hit, per pixel.
+void CpuRenderer::Impl::fold_hits(const KernelTile& tile, std::span<const KernelHit> hits) {
+    const std::size_t width = tile.x1 - tile.x0, count = tile.sample_end - tile.sample_begin;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (hits[i].instance == kNone) continue;
+        const std::size_t row = i / count / width, column = i / count % width;
+        add_id(film->ids[tile.first_pixel + row * tile.stride + column],
+               surfaces[hits[i].instance] + hits[i].geometry, 1.0f);
+    }
+}
+
+void CpuRenderer::Impl::render_tile(KernelTile& tile) {
+    if (!with_aovs) {
+        isa.render_tile(&tables, &tile);
+        return;
+    }
+    if (film->ids.empty()) {
+        isa.render_tile_aovs(&tables, &tile);
+        return;
+    }
+    // A part of the samples at a time, so that what they hit stays small.
+    constexpr std::uint32_t kSamplesAtOnce = 64;
+    const std::uint32_t end = tile.sample_end;
+    const std::size_t pixels = std::size_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0);
+    std::uint32_t rays = 0, non_finite = 0;
+    std::vector<KernelHit> hits;
+    for (std::uint32_t begin = tile.sample_begin; begin < end; begin = tile.sample_end) {
+        tile.sample_begin = begin;
+        tile.sample_end = std::min(begin + kSamplesAtOnce, end);
+        hits.assign(pixels * (tile.sample_end - begin), KernelHit{kNone, 0});
+        tile.hits = hits.data();
+        isa.render_tile_aovs(&tables, &tile);
+        fold_hits(tile, hits);
+        rays += tile.rays;
+        non_finite += tile.non_finite;
+    }
+    tile.rays = rays;
+    tile.non_finite = non_finite;
+}
+
 Result<void> CpuRenderer::begin(const RenderJob& job, Film& film) {
     HM_CHECK(film.sums.size() == std::size_t(film.crop.width()) * film.crop.height(),
              "{} sums for {} x {}", film.sums.size(), film.crop.width(), film.crop.height());
     impl_->job = job;
     impl_->tables = impl_->make_tables();
     impl_->film = &film;
+    impl_->prepare_aovs();
     return {};
 }
 
@@ -157,10 +228,10 @@ Result<void> CpuRenderer::render(std::uint32_t begin, std::uint32_t end, RenderC
         tile.y1 = std::min(tile.y0 + kTileSize, crop.y1);
         tile.sample_begin = begin;
         tile.sample_end = end;
-        std::size_t first = std::size_t(tile.y0 - crop.y0) * crop.width() + (tile.x0 - crop.x0);
-        tile.pixels = sums.data() + first;
+        tile.first_pixel = std::size_t(tile.y0 - crop.y0) * crop.width() + (tile.x0 - crop.x0);
+        tile.pixels = sums.data() + tile.first_pixel;
         tile.stride = crop.width();
-        impl_->isa.render_tile(&impl_->tables, &tile);
+        impl_->render_tile(tile);
         counters.samples += std::uint64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0) * (end - begin);
         counters.rays += tile.rays;
         counters.non_finite += tile.non_finite;

@@ -31,7 +31,7 @@ struct FilmPlane {
 };
 
 // How many of a pixel's samples hit one surface. `id` numbers the geometries of all instances
-// (scene/names.h): object, material and asset follow from it.
+// (scene/surface_names.h): object, material and asset follow from it.
 struct IdCount {
     std::uint32_t id;
     float count;

@@ -27,6 +27,7 @@ struct RenderJob {
     CameraData camera{};
     RenderParams params{};
     std::array<float, 257> filter_table{};  // make_filter_table (shading/tables)
+    CameraData next_camera{};  // at the next frame: for motion vectors of scenes that move
 };
 
 // What a renderer tells of itself and of the scene it holds.
@@ -41,6 +42,9 @@ struct RendererReport {
     // What the acceleration structure consists of, by name: {"triangles", 32}.
     std::vector<std::pair<std::string, std::uint64_t>> structure{};
 };
+
+// What the stages are told of the AOVs. `moves`: the scene has tables of its next frame.
+AovParams aov_params(const AovSelection& selection, const RenderJob& job, bool moves);
 
 class Renderer {
   public:

@@ -18,20 +18,20 @@ std::optional<PictureKind> picture_kind(const fs::path& path) {
     return std::nullopt;
 }
 
-Result<void> write_picture(const fs::path& path, const Image& linear, const PictureOptions& options,
-                           const Metadata& metadata) {
+Result<void> write_picture(const fs::path& path, const Image& beauty, const LayeredImage& layers,
+                           const PictureOptions& options) {
     const std::optional<PictureKind> kind = picture_kind(path);
     HM_CHECK(kind.has_value(), "{}", path.string());
     switch (*kind) {
         case PictureKind::exr:
-            return write_exr(path, linear, options.alpha, metadata);
+            return write_layers(path, layers, options.exr);
         case PictureKind::png:
-            return write_png(path, tone_map_picture(linear, options.crop, options.tone),
-                             options.alpha, metadata);
+            return write_png(path, tone_map_picture(beauty, options.crop, options.tone),
+                             options.alpha, layers.metadata);
         case PictureKind::hdr:
             break;
     }
-    return write_hdr(path, linear);
+    return write_hdr(path, beauty);
 }
 
 }  // namespace hm

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "film/tonemap.h"
+#include "image/layers.h"
 #include "image/write.h"
 
 namespace hm {
@@ -17,12 +18,14 @@ std::optional<PictureKind> picture_kind(const std::filesystem::path& path);
 
 struct PictureOptions {
     PixelRect crop;      // where the picture lies in the whole
-    bool alpha = false;  // write the coverage; .hdr has no place for it
+    bool alpha = false;  // PNG only: write the coverage
     ToneSettings tone;   // PNG only
+    ExrOptions exr{};
 };
 
-// `linear` is rgba32f and premultiplied; the extension must be known.
-Result<void> write_picture(const std::filesystem::path& path, const Image& linear,
-                           const PictureOptions& options, const Metadata& metadata);
+// .exr gets all layers and .png and .hdr the beauty alone, which is rgba32f and premultiplied. The
+// extension must be known.
+Result<void> write_picture(const std::filesystem::path& path, const Image& beauty,
+                           const LayeredImage& layers, const PictureOptions& options);
 
 }  // namespace hm

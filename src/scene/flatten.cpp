@@ -108,8 +108,9 @@ void grow_by_instance(Bounds& bounds, const Bounds& mesh, const mat4x3& object_t
                                             (i & 4) != 0 ? mesh.high.z : mesh.low.z, 1));
 }
 
-void add_instance(FlatScene& flat, const Scene& scene, const Node& node, const glm::mat4& placed,
-                  const Bounds& local_bounds, Diagnostics& diagnostics) {
+void add_instance(FlatScene& flat, const Scene& scene, InstanceOrigin origin,
+                  const glm::mat4& placed, const Bounds& local_bounds, Diagnostics& diagnostics) {
+    const Node& node = scene.nodes[origin.node];
     const glm::dmat4 to_world(placed);
     const double determinant = glm::determinant(glm::dmat3(to_world));
     const glm::dmat4 to_object = glm::inverse(to_world);
@@ -125,6 +126,7 @@ void add_instance(FlatScene& flat, const Scene& scene, const Node& node, const g
     instance.flags = determinant < 0.0 || node.skin_mirrors ? kInstanceFlipped : 0u;
     grow_by_instance(flat.bounds, local_bounds, instance.object_to_world);
     flat.instances.push_back(instance);
+    flat.instance_origins.push_back(origin);
 }
 
 void add_instances(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4>& world,
@@ -136,9 +138,12 @@ void add_instances(FlatScene& flat, const Scene& scene, const std::vector<glm::m
         if (node.mesh == kUnset || !visible[i]) continue;
         const Bounds& bounds = local_bounds[std::size_t(node.mesh)];
         const glm::mat4 placed = node.skin == kUnset ? world[i] : glm::mat4(1);
-        if (node.instances.empty()) add_instance(flat, scene, node, placed, bounds, diagnostics);
-        for (const glm::mat4& instance : node.instances)
-            add_instance(flat, scene, node, placed * instance, bounds, diagnostics);
+        const auto number = std::uint32_t(i);
+        if (node.instances.empty())
+            add_instance(flat, scene, {number, 0}, placed, bounds, diagnostics);
+        for (std::uint32_t copy = 0; copy < node.instances.size(); ++copy)
+            add_instance(flat, scene, {number, copy}, placed * node.instances[copy], bounds,
+                         diagnostics);
     }
 }
 
@@ -168,6 +173,7 @@ void add_lights(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4
         powers.push_back(std::min(luminance(d.color) * extent, kMaxLightPower));
         flat.punctual_power += double(powers.back());
         flat.lights.push_back(d);
+        flat.light_nodes.push_back(std::uint32_t(i));
     }
     flat.light_alias = build_alias_table(powers);
 }

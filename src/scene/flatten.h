@@ -28,6 +28,19 @@ struct Bounds {
     float radius() const { return empty() ? 0.0f : 0.5f * length(high - low); }
 };
 
+// What only AOVs read (shading/path/aovs.h); empty until somebody asks for them.
+struct AovTables {
+    std::vector<std::uint32_t> source_groups;       // see scene/light_groups
+    std::vector<mat4x3> next_transforms;            // of instances, see scene/motion
+    std::vector<std::vector<vec3>> next_positions;  // of geometries; empty: as they are now
+};
+
+// Which of the scene's nodes an instance stands for.
+struct InstanceOrigin {
+    std::uint32_t node;
+    std::uint32_t copy;  // of the node's `instances`; 0 without
+};
+
 struct FlatScene {
     std::vector<MaterialData> materials;  // the last one is glTF's default material
     std::vector<TextureUse> texture_uses;
@@ -36,11 +49,14 @@ struct FlatScene {
     std::vector<GeometryView> geometry_views;        // beside `geometries`
     std::vector<std::uint32_t> mesh_first_geometry;  // one more than meshes
     std::vector<InstanceData> instances;
+    std::vector<InstanceOrigin> instance_origins;  // beside `instances`
     std::vector<LightData> lights;
+    std::vector<std::uint32_t> light_nodes;  // beside `lights`
     std::vector<AliasEntry> light_alias;
     std::vector<EmitterTriangle> emitters;
     std::vector<AliasEntry> emitter_alias;
     EnvironmentMap environment;
+    AovTables aovs;
     Bounds bounds;  // world space
     // Flux into the scene, for sharing samples between kinds of light. 0: none of that kind.
     double environment_power = 0;

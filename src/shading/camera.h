@@ -35,6 +35,17 @@ HM_FN void make_camera_ray(HM_IN(CameraData) camera, vec2 film, float lens_u, fl
     ray.direction = normalize(ray.direction);
 }
 
+// Where the camera sees a point: film coordinates as above. False if it lies behind.
+HM_FN bool project_point(HM_IN(CameraData) camera, vec3 point, HM_OUT(vec2) film) {
+    vec3 to_point = point - camera.origin;
+    float depth = camera.kind == kCameraOrthographic ? 1.0f : dot(to_point, camera.forward);
+    film = vec2(0.5f);
+    if (!(depth > 0.0f)) return false;
+    film.x = 0.5f + 0.5f * dot(to_point, camera.right) / (depth * camera.half_width);
+    film.y = 0.5f - 0.5f * dot(to_point, camera.up) / (depth * camera.half_height);
+    return true;
+}
+
 HM_NAMESPACE_END
 
 #endif

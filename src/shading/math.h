@@ -21,6 +21,12 @@ HM_FN float max_component(vec3 c) {
     return max(c.x, max(c.y, c.z));
 }
 
+// Neither infinite nor NaN.
+HM_FN bool is_finite_color(vec3 c) {
+    vec3 size = abs(c);
+    return size.x <= 3.4e38f && size.y <= 3.4e38f && size.z <= 3.4e38f;
+}
+
 HM_FN float saturate(float x) {
     return clamp(x, 0.0f, 1.0f);
 }

@@ -196,6 +196,14 @@ struct RenderParams {
     uint emitter_count;
 };
 
+// What the stages' AOV variants (HM_AOVS) read beside RenderParams.
+struct AovParams {
+    uint light_groups;       // how many
+    uint replicates;         // of the samples, each randomised on its own; 0 or 1: none
+    uint moves;              // 1: there are tables of the next frame
+    CameraData next_camera;  // at the next frame
+};
+
 HM_NAMESPACE_END
 
 #ifdef __cplusplus
@@ -208,6 +216,7 @@ static_assert(sizeof(Vertex) == 48 && sizeof(VertexExtra) == 24);
 static_assert(sizeof(GeometryData) == 16 && sizeof(InstanceData) == 112);
 static_assert(sizeof(LightData) == 52 && sizeof(AliasEntry) == 16);
 static_assert(sizeof(EmitterTriangle) == 48 && sizeof(CameraData) == 68);
+static_assert(sizeof(AovParams) == 80);
 }  // namespace hm
 #endif
 

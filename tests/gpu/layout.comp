@@ -21,6 +21,7 @@ layout(scalar, binding = 9) buffer CameraDataTable { CameraData rows[]; } camera
 layout(scalar, binding = 10) buffer EnvironmentDataTable { EnvironmentData rows[]; } environment_data;
 layout(scalar, binding = 11) buffer LightRangeTable { LightRange rows[]; } light_range;
 layout(scalar, binding = 12) buffer RenderParamsTable { RenderParams rows[]; } render_params;
+layout(scalar, binding = 13) buffer AovParamsTable { AovParams rows[]; } aov_params;
 
 void main() {
     material_data.rows[1] = material_data.rows[0];
@@ -36,4 +37,5 @@ void main() {
     environment_data.rows[1] = environment_data.rows[0];
     light_range.rows[1] = light_range.rows[0];
     render_params.rows[1] = render_params.rows[0];
+    aov_params.rows[1] = aov_params.rows[0];
 }

@@ -105,17 +105,18 @@ HM_FN float burley_factor(float cos_o, float cos_i, float cos_d, float roughness
            (1.0f + (fd90 - 1.0f) * pow5(1.0f - cos_i));
 }
 
-// f cos for wi, and the density of sampling it. Zero when either direction is below the surface.
-HM_FN vec3 eval_bsdf(HM_IN(Bsdf) b, vec3 wo, vec3 wi, HM_OUT(float) pdf) {
+// f of either lobe, without the cosine, and the density of sampling wi from both. The directions
+// are above the surface.
+HM_FN void eval_lobes(HM_IN(Bsdf) b, vec3 wo, vec3 wi, HM_OUT(vec3) diffuse, HM_OUT(vec3) specular,
+                      HM_OUT(float) pdf) {
     pdf = 0.0f;
-    if (wo.z <= 0.0f || wi.z <= 0.0f) return vec3(0.0f);
     vec3 h = normalize(wo + wi);
     float cos_d = saturate(dot(wo, h));
     float grazing = pow5(1.0f - cos_d);
-    vec3 f = vec3(0.0f);
+    specular = vec3(0.0f);
     if (b.p_specular > 0.0f) {
         vec3 fresnel = b.f0 + (vec3(b.f90) - b.f0) * grazing;
-        f = fresnel * (eval_ggx_d(h, b.alpha) * eval_ggx_v(wo.z, wi.z, b.alpha));
+        specular = fresnel * (eval_ggx_d(h, b.alpha) * eval_ggx_v(wo.z, wi.z, b.alpha));
         pdf = b.p_specular * pdf_ggx_reflection(wo, h, b.alpha);
     }
     float transmitted = 1.0f - (b.layer_f0 + (b.layer_f90 - b.layer_f0) * grazing);
@@ -124,13 +125,32 @@ HM_FN vec3 eval_bsdf(HM_IN(Bsdf) b, vec3 wo, vec3 wi, HM_OUT(float) pdf) {
         float loss = 1.0f - (e_split.x + e_split.y);  // as in make_bsdf, to the bit
         transmitted = b.diffuse_scale * (1.0f - b.layer_f0 * e_split.x - b.layer_f90 * e_split.y -
                                          loss * b.layer_multiple);
-        f = f + b.multiple * loss;
+        specular = specular + b.multiple * loss;
     }
     if (params.diffuse_kind == kDiffuseBurley)
         transmitted = transmitted * burley_factor(wo.z, wi.z, cos_d, b.roughness);
-    f = f + b.diffuse * (transmitted * kInvPi);
+    diffuse = b.diffuse * (transmitted * kInvPi);
     pdf = pdf + (1.0f - b.p_specular) * pdf_cosine_hemisphere(wi.z);
-    return f * wi.z;
+}
+
+// f cos for wi, and the density of sampling it. Zero when either direction is below the surface.
+HM_FN vec3 eval_bsdf(HM_IN(Bsdf) b, vec3 wo, vec3 wi, HM_OUT(float) pdf) {
+    pdf = 0.0f;
+    if (wo.z <= 0.0f || wi.z <= 0.0f) return vec3(0.0f);
+    vec3 diffuse;
+    vec3 specular;
+    eval_lobes(b, wo, wi, diffuse, specular, pdf);
+    return (specular + diffuse) * wi.z;
+}
+
+// The diffuse lobe's part of f, 0 where there is none.
+HM_FN vec3 diffuse_share(HM_IN(Bsdf) b, vec3 wo, vec3 wi) {
+    if (wo.z <= 0.0f || wi.z <= 0.0f) return vec3(0.0f);
+    vec3 diffuse;
+    vec3 specular;
+    float pdf;
+    eval_lobes(b, wo, wi, diffuse, specular, pdf);
+    return diffuse / max(specular + diffuse, vec3(1e-30f));
 }
 
 // A direction from the mixture of lobes; may point below the surface, where eval_bsdf gives zero.

@@ -1,5 +1,11 @@
 // The closest-hit stage: turns a hit into facts. Ray generation combines them.
 
+#ifdef HM_AOVS
+#include "shading/path/aov_facts.h"
+#else
+#include "shading/path/aov_facts_off.h"
+#endif
+
 // Light sampling: direction, distance and the contribution if nothing stands between.
 HM_FN void shade_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) frame, vec3 ng,
                               vec3 wo, HM_IN(uvec4) numbers) {
@@ -15,6 +21,7 @@ HM_FN void shade_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Fram
     p.light_direction = light.wi;
     p.light_distance = light.distance;
     p.light_contribution = f * light.radiance * (weight / light.pdf);
+    note_light_sample(p, b, wo, to_local(frame, light.wi), light.source);
 }
 
 // BSDF sampling: where the path goes on, and by how much it is dimmed.
@@ -28,6 +35,7 @@ HM_FN void shade_scatter(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) fr
     p.pdf = pdf;
     p.weight = vec3(0.0f);
     if (pdf > 0.0f && dot(p.next_direction, ng) > 0.0f) p.weight = f * (1.0f / pdf);
+    note_scatter(p, b, wo, wi);
 }
 
 HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, vec3 direction) {
@@ -51,6 +59,7 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
         if (p.bounce > 0u && max_component(p.emitted) > 0.0f)
             p.emitted_pdf = pdf_emitter(ids, s.geometry, s.hit_distance, -dot(s.ng, direction));
     }
+    note_surface(p, ids, s);
     bool last = params.max_bounces != 0u && p.bounce >= params.max_bounces;
     if (last || (m.flags & kMaterialUnlit) != 0u) return;
 
@@ -60,8 +69,10 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
     make_frame(s.ns, frame);
     vec3 wo = to_local(frame, -direction);
     Bsdf b;
-    make_bsdf(vec3(base.x, base.y, base.z), saturate(m.metallic_factor * metallic_roughness.z),
-              m.roughness_factor * metallic_roughness.y, m.specular_weight, wo.z, b);
+    float metallic = saturate(m.metallic_factor * metallic_roughness.z);
+    make_bsdf(vec3(base.x, base.y, base.z), metallic, m.roughness_factor * metallic_roughness.y,
+              m.specular_weight, wo.z, b);
+    note_material(p, b, metallic);
     p.next_origin = offset_ray_origin(s.position, s.ng);
 
     SamplerState numbers;

@@ -35,12 +35,17 @@ HM_FN float pdf_emitter(HM_IN(HitIds) ids, uint geometry, float hit_distance, fl
            hit_distance / max(double_area * cos_light, 1e-30f);
 }
 
+HM_FN uint material_source(uint material) {
+    return 1u + params.light_count + material;
+}
+
 struct LightSample {
     vec3 wi;         // unit, towards the light
     float distance;  // to where visibility is to be tested
     vec3 radiance;   // times alpha coverage for emitters; irradiance for punctual lights
     float pdf;       // solid angle; for punctual lights the discrete probability
     bool punctual;   // cannot be met by BSDF sampling
+    uint source;     // see kSourceEnvironment
 };
 
 HM_FN void sample_emitter(uint choice, uint coin, float u, float v, vec3 p,
@@ -48,6 +53,7 @@ HM_FN void sample_emitter(uint choice, uint coin, float u, float v, vec3 p,
     light.radiance = vec3(0.0f);
     light.pdf = 0.0f;
     light.punctual = false;
+    light.source = kSourceEnvironment;
     light.wi = vec3(0.0f, 0.0f, 1.0f);
     light.distance = 0.0f;
     uint slot = mul_high(choice, params.emitter_count);
@@ -59,6 +65,7 @@ HM_FN void sample_emitter(uint choice, uint coin, float u, float v, vec3 p,
     HM_ROW(InstanceData) instance = instances[e.instance];
     uint geometry = instance.first_geometry + e.geometry;
     HM_ROW(MaterialData) m = materials[geometries[geometry].material];
+    light.source = material_source(geometries[geometry].material);
 
     vec2 barycentrics = sample_triangle(u, v);
     vec3 weights = vec3(1.0f - barycentrics.x - barycentrics.y, barycentrics.x, barycentrics.y);

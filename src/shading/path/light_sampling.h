@@ -19,6 +19,7 @@ HM_FN void sample_light(uint choice, uint coin, float u, float v, vec3 p,
     light.radiance = vec3(0.0f);
     light.pdf = 0.0f;
     light.punctual = false;
+    light.source = kSourceEnvironment;
     if (in_range(params.environment_range, choice)) {
         uint inner = stretch_choice(params.environment_range, choice);
         vec3 radiance;
@@ -40,6 +41,7 @@ HM_FN void sample_light(uint choice, uint coin, float u, float v, vec3 p,
         light.radiance = s.irradiance;
         light.pdf = params.punctual_range.pdf * (own ? entry.pdf_self : entry.pdf_alias);
         light.punctual = true;
+        light.source = 1u + index;
     } else if (in_range(params.emitter_range, choice)) {
         uint inner = stretch_choice(params.emitter_range, choice);
         sample_emitter(inner, coin, u, v, p, light);

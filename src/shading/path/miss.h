@@ -7,6 +7,9 @@ HM_FN void miss(HM_INOUT(PathPayload) p, vec3 direction) {
     p.emitted_pdf = 0.0f;
     p.weight = vec3(0.0f);
     p.light_contribution = vec3(0.0f);
+#ifdef HM_AOVS
+    p.emitted_source = kSourceEnvironment;
+#endif
     if (p.bounce == 0u && params.background != kBackgroundEnvironment) {
         if (params.background == kBackgroundColor) p.emitted = params.background_color;
         return;

@@ -7,6 +7,12 @@
 HM_HOOK(void trace_path(HM_INOUT(PathPayload) payload, vec3 origin, vec3 direction))
 HM_HOOK(bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key))
 
+#ifdef HM_AOVS
+#include "shading/path/aovs.h"
+#else
+#include "shading/path/aovs_off.h"
+#endif
+
 HM_CONST uint kFilterSize = 257u;
 HM_CONST uint kRouletteFrom = 2u;
 
@@ -33,8 +39,9 @@ HM_FN void camera_ray(HM_IN(SamplerState) numbers, HM_OUT(CameraRay) ray) {
     make_camera_ray(camera, film, unit_float(x.z), unit_float(x.w), ray);
 }
 
-// Adds one contribution; indirect ones are scaled down to the clamp as a whole.
-HM_FN void add_contribution(HM_INOUT(PathSample) s, vec3 contribution, bool indirect) {
+// Adds one contribution and returns what it added; indirect ones are scaled down to the clamp as a
+// whole.
+HM_FN vec3 add_contribution(HM_INOUT(PathSample) s, vec3 contribution, bool indirect) {
     vec3 kept = contribution;
     float largest = max_component(contribution);
     if (indirect && params.max_radiance > 0.0f && largest > params.max_radiance) {
@@ -42,6 +49,7 @@ HM_FN void add_contribution(HM_INOUT(PathSample) s, vec3 contribution, bool indi
         s.removed = s.removed + luminance(contribution - kept);
     }
     s.radiance = s.radiance + kept;
+    return kept;
 }
 
 // The weight of radiance that a BSDF-sampled ray found, against light sampling.
@@ -65,6 +73,7 @@ HM_FN void trace_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathSampl
     s.alpha = 1.0f;
     s.removed = 0.0f;
     s.rays = 0u;
+    begin_aovs(s);
     SamplerState numbers;
     begin_sample(pixel_x, pixel_y, index, numbers);
     CameraRay ray;
@@ -86,7 +95,8 @@ HM_FN void trace_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathSampl
             continue;
         }
         float weight = emission_weight(p.bounce, pdf_bsdf, p.emitted_pdf);
-        add_contribution(s, throughput * p.emitted * weight, p.bounce > 1u);
+        vec3 emitted = add_contribution(s, throughput * p.emitted * weight, p.bounce > 1u);
+        note_emitted(s, p, emitted);
         if (p.hit_distance < 0.0f) {
             if (p.bounce == 0u && params.background == kBackgroundTransparent) s.alpha = 0.0f;
             break;
@@ -94,9 +104,12 @@ HM_FN void trace_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathSampl
         if (max_component(p.light_contribution) > 0.0f) {
             s.rays = s.rays + 1u;
             uint shadow_key = ray_key(sample_key, p.bounce, kRayShadow);
-            if (trace_visible(p.next_origin, p.light_direction, p.light_distance, shadow_key))
-                add_contribution(s, throughput * p.light_contribution, p.bounce > 0u);
+            if (trace_visible(p.next_origin, p.light_direction, p.light_distance, shadow_key)) {
+                vec3 lit = add_contribution(s, throughput * p.light_contribution, p.bounce > 0u);
+                note_lit(s, p, lit);
+            }
         }
+        note_first_scatter(s, p);
         throughput = throughput * p.weight;
         if (max_component(throughput) <= 0.0f) break;
         p.bounce = p.bounce + 1u;

@@ -15,14 +15,26 @@ struct SamplerState {
     uint index;
     uint index_reversed;
     uint key;  // hash of pixel and seed
+#ifdef HM_AOVS
+    uint replicate;
+#endif
 };
 
 HM_FN void begin_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(SamplerState) s) {
     s.pixel_x = pixel_x;
     s.pixel_y = pixel_y;
     s.index = index;
-    s.index_reversed = reverse_bits(index);
     s.key = hash_combine(params.seed, pixel_x | (pixel_y << 16u));
+#ifdef HM_AOVS
+    // For the variance: each replicate is a sequence of its own, randomised on its own.
+    s.replicate = 0u;
+    if (aovs.replicates > 1u) {
+        s.replicate = index % aovs.replicates;
+        s.index = index / aovs.replicates;
+        s.key = hash_combine(s.key, s.replicate);
+    }
+#endif
+    s.index_reversed = reverse_bits(s.index);
 }
 
 // Sobol (Joe and Kuo 2008), direction numbers with the most significant bit first.
@@ -42,6 +54,10 @@ HM_FN uint sample_sobol_blue_noise(HM_IN(SamplerState) s, uint dimension) {
     uint x = (s.pixel_x + dimension * 73u) & 127u;
     uint y = (s.pixel_y + dimension * 127u) & 127u;
     uint offset = (blue_noise[y * 128u + x] << 18u) + 0x00020000u + params.seed * 0x9e3779b9u;
+#ifdef HM_AOVS
+    if (aovs.replicates > 1u)
+        offset = offset + hash_combine(hash_combine(params.seed, s.replicate), dimension);
+#endif
     return sobol_number(dimension, s.index) + offset;
 }
 

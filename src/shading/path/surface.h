@@ -15,6 +15,7 @@ struct Surface {
     vec4 color;
     bool front;
     float hit_distance;
+    vec3 weights;  // of the triangle's corners
     uint material;
     uint geometry;
 };
@@ -91,6 +92,7 @@ HM_FN void load_surface(HM_IN(HitIds) ids, vec3 origin, vec3 direction, HM_OUT(S
     vec3 normal = cross(edge1, edge2);
     vec3 to_origin = origin - transform_point(instance.object_to_world, t.a.position);
     vec3 weights = meet_triangle(to_origin, edge1, edge2, normal, direction, s.hit_distance);
+    s.weights = weights;
     s.position = transform_point(
         instance.object_to_world,
         t.a.position * weights.x + t.b.position * weights.y + t.c.position * weights.z);

@@ -6,6 +6,10 @@
 
 HM_NAMESPACE_BEGIN
 
+// Where light comes from, as a number: the environment (with whatever stands behind the scene),
+// then punctual light i as 1 + i, then emissive material m as 1 + params.light_count + m.
+HM_CONST uint kSourceEnvironment = 0u;
+
 struct HitIds {
     uint instance;
     uint geometry;  // within the instance's mesh
@@ -23,6 +27,23 @@ struct TriangleExtras {
     VertexExtra b;
     VertexExtra c;
 };
+
+#ifdef HM_AOVS
+// What AOVs tell of the surface that a camera ray ends on.
+struct HitFacts {
+    HitIds ids;
+    uint material;
+    uint geometry;  // into `geometries`
+    vec3 weights;   // of the triangle's corners
+    vec2 uv;
+    vec3 position;  // world space, as the normals
+    vec3 ns;
+    vec3 ng;
+    vec3 albedo;
+    float metallic;
+    float roughness;
+};
+#endif
 
 // Ray generation writes the first block, closest hit or miss the rest. Both payloads begin with
 // `key`, which any-hit reads.
@@ -45,6 +66,15 @@ struct PathPayload {
     vec3 light_direction;  // one light sample, visibility not yet known
     float light_distance;
     vec3 light_contribution;  // L f cos / pdf with its MIS weight; 0: no need to trace
+
+#ifdef HM_AOVS
+    uint emitted_source;  // what emitted, and whose the light sample is: see kSourceEnvironment
+    uint light_source;
+    // Of camera rays' hits:
+    HitFacts facts;
+    vec3 diffuse_share;        // the diffuse lobe's part of f towards next_direction
+    vec3 light_diffuse_share;  // and towards the light sample
+#endif
 };
 
 struct ShadowPayload {
@@ -58,6 +88,17 @@ struct PathSample {
     float alpha;    // 1 where something or a visible background was seen
     float removed;  // luminance that clamping took away
     uint rays;
+#ifdef HM_AOVS
+    // They sum to the radiance.
+    vec3 emission;
+    vec3 diffuse_direct;
+    vec3 specular_direct;
+    vec3 diffuse_indirect;
+    vec3 specular_indirect;
+    vec3 first_diffuse_share;  // PathPayload's, of the first scattering
+    bool hit;
+    HitFacts facts;  // if it hit
+#endif
 };
 
 // The sums of one pixel's samples, in the order of their indices.

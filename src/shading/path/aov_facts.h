@@ -1,0 +1,37 @@
+// AOVs: what closest hit notes in the payload, most of it for camera rays only. closest_hit.h
+// includes this with HM_AOVS and aov_facts_off.h without.
+
+// An unlit surface is rough and has its own colour.
+HM_FN void note_surface(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, HM_IN(Surface) s) {
+    p.emitted_source = material_source(s.material);
+    if (p.bounce != 0u) return;
+    p.facts.ids = ids;
+    p.facts.material = s.material;
+    p.facts.geometry = s.geometry;
+    p.facts.weights = s.weights;
+    p.facts.uv = s.uv0;
+    p.facts.position = s.position;
+    p.facts.ns = s.ns;
+    p.facts.ng = s.ng;
+    p.facts.albedo = min(p.emitted, vec3(1.0f));
+    p.facts.metallic = 0.0f;
+    p.facts.roughness = 1.0f;
+}
+
+// What denoisers and compositors call the colour of a surface: of metal it is what it mirrors.
+HM_FN void note_material(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, float metallic) {
+    if (p.bounce != 0u) return;
+    p.facts.albedo = min(b.diffuse + b.f0, vec3(1.0f));
+    p.facts.metallic = metallic;
+    p.facts.roughness = b.roughness;
+}
+
+HM_FN void note_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, vec3 wo, vec3 wi,
+                             uint source) {
+    p.light_source = source;
+    if (p.bounce == 0u) p.light_diffuse_share = diffuse_share(b, wo, wi);
+}
+
+HM_FN void note_scatter(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, vec3 wo, vec3 wi) {
+    if (p.bounce == 0u) p.diffuse_share = diffuse_share(b, wo, wi);
+}

@@ -1,0 +1,6 @@
+// Closest hit without AOVs: what aov_facts.h notes, as nothing.
+
+HM_FN void note_surface(HM_INOUT(PathPayload), HM_IN(HitIds), HM_IN(Surface)) {}
+HM_FN void note_material(HM_INOUT(PathPayload), HM_IN(Bsdf), float) {}
+HM_FN void note_light_sample(HM_INOUT(PathPayload), HM_IN(Bsdf), vec3, vec3, uint) {}
+HM_FN void note_scatter(HM_INOUT(PathPayload), HM_IN(Bsdf), vec3, vec3) {}
