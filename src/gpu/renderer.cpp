@@ -94,6 +94,9 @@ Result<void> VulkanRenderer::make_slots() {
 }
 
 Result<void> VulkanRenderer::begin(const RenderJob& job, Film& film) {
+    if (film.selection.needs_planes())
+        return fail(ExitCode::usage, "", "",
+                    "--aov: only the CPU draws AOVs other than samples; use --device cpu");
     HM_TRY(context_.device().wait_idle());
     film_ = &film;
     clamps_ = job.params.max_radiance > 0;

@@ -52,11 +52,10 @@ Result<void> write_one(const std::filesystem::path& path, const DenoiseOptions& 
     // Dither follows the whole picture, whose pixels may have begun at a negative number.
     const auto x = std::uint32_t(std::max(data.x0 - picture.display.x0, 0));
     const auto y = std::uint32_t(std::max(data.y0 - picture.display.y0, 0));
-    return write_picture(path, denoised.picture,
+    return write_picture(path, denoised.picture, picture,
                          {.crop = {x, y, x + data.width(), y + data.height()},
                           .alpha = alpha,
-                          .tone = {exposure, options.tone_curve}},
-                         picture.metadata);
+                          .tone = {exposure, options.tone_curve}});
 }
 
 std::string report(const DenoiseOptions& options, const std::string& device,

@@ -52,9 +52,8 @@ RenderOptions frame_options(const RenderOptions& options, std::uint32_t number) 
     frame.seed = options.seed + number * 0x9e3779b9u;
     for (std::filesystem::path& path : frame.outputs)
         path = frame_path(path, number);
-    std::erase_if(frame.given, [](const auto& flag) {
-        return flag.first == "frames" || flag.first == "fps" || flag.first == "seed";
-    });
+    std::erase_if(frame.given,
+                  [](const auto& flag) { return flag.first == "frames" || flag.first == "seed"; });
     frame.given.emplace_back("at", fmt::format("{}", *frame.at));
     frame.given.emplace_back("seed", fmt::format("{}", frame.seed));
     return frame;

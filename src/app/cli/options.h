@@ -14,6 +14,7 @@
 #include "film/film.h"
 #include "film/tonemap.h"
 #include "gltf/load.h"
+#include "image/layers.h"
 #include "shading/structs.h"
 #include "shading/tables/tables.h"
 
@@ -39,6 +40,14 @@ struct ViewOptions {
     std::optional<float> fov;  // vertical, degrees
     float aperture = 0;        // the lens' radius, metres
     std::optional<float> focus;
+};
+
+// What a picture carries beside the beauty, and how .exr files store it.
+struct LayerOptions {
+    std::vector<Aov> aovs;
+    bool light_groups = false;      // as Aov::light_groups
+    std::vector<std::string> half;  // see film/layers.h
+    ExrOptions exr;
 };
 
 struct RenderOptions {
@@ -77,6 +86,8 @@ struct RenderOptions {
     bool energy_compensation = true;
     std::uint32_t diffuse = kDiffuseLambert;
     std::uint32_t strategy = kStrategyMis;
+
+    LayerOptions layers;
 
     std::uint32_t tone_curve = kToneNeutral;
     std::optional<float> exposure = 0.0f;  // none: auto

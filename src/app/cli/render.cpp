@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/cli/aovs.h"
 #include "app/cli/devices.h"
 #include "app/cli/frames.h"
 #include "app/cli/interrupt.h"
@@ -17,6 +18,7 @@
 #include "app/cli/report.h"
 #include "app/cli/setup.h"
 #include "app/cli/vulkan_devices.h"
+#include "film/variance.h"
 #include "film/write.h"
 #include "gltf/load.h"
 
@@ -25,16 +27,20 @@ namespace {
 
 // All of them are tried, so that one full disk does not cost every picture; the first error is
 // returned.
-Result<void> write_all(const RenderOptions& options, const Film& film, RenderSummary& summary) {
+Result<void> write_all(const RenderOptions& options, const Film& film, const SurfaceNames& names,
+                       RenderSummary& summary) {
     const Image picture = film.resolve();
     summary.exposure = options.exposure ? *options.exposure : auto_exposure(picture);
     const PictureOptions how{.crop = film.crop,
                              .alpha = options.background == kBackgroundTransparent,
-                             .tone = {summary.exposure, options.tone_curve}};
+                             .tone = {summary.exposure, options.tone_curve},
+                             .exr = options.layers.exr};
+    LayeredImage layers = film_layers(film, layer_choice(options, names));
     const Metadata metadata = picture_metadata(options, summary);
+    layers.metadata.insert(layers.metadata.begin(), metadata.begin(), metadata.end());
     Result<void> outcome;
     for (const std::filesystem::path& path : options.outputs) {
-        Result<void> written = write_picture(path, picture, how, metadata);
+        Result<void> written = write_picture(path, picture, layers, how);
         if (!written && outcome) outcome = std::move(written);
     }
     return outcome;
@@ -47,6 +53,7 @@ void fill_results(RenderSummary& summary, const Film& film, const RenderCounters
     summary.samples_per_pixel = film.mean_samples();
     summary.removed_luminance = film.removed_luminance();
     summary.mean_luminance = film.mean_luminance();
+    summary.estimated_error = estimated_error(film);
 }
 
 void note_defaults(Progress& progress, const RenderSummary& summary) {
@@ -82,6 +89,7 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
 
     Clock::time_point start = Clock::now();
     HM_TRY_ASSIGN(const auto pose, choose_pose(options, shared.scene, diagnostics));
+    HM_TRY_ASSIGN(const auto next_pose, record_next_pose(options, shared.scene, pose));
     if (pose) HM_TRY(pose_scene(shared.scene, pose));
     const bool is_first = !shared.environment;
     if (is_first) {
@@ -93,9 +101,11 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
     const float aspect = float(options.width) / float(options.height);
     HM_TRY_ASSIGN(const CameraChoice camera,
                   choose_camera(options.view, shared.scene, flat.bounds, aspect));
+    const AovSetup aovs = prepare_aovs(options, shared.scene, flat, next_pose);
     summary.camera = camera.name;
     summary.view = view_flags(camera.data);
     summary.scene = scene_stats(shared.scene, flat);
+    summary.scene_hash = shared.scene.hash;
     summary.times.flatten = seconds_since(start);
     if (is_first) note_defaults(progress, summary);
 
@@ -103,9 +113,16 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
     HM_TRY_ASSIGN(const std::unique_ptr<Renderer> renderer, shared.device->load(flat));
     summary.times.prepare = seconds_since(start);
 
-    Film film(options.crop.value_or(PixelRect{0, 0, options.width, options.height}));
+    Film film(options.crop.value_or(PixelRect{0, 0, options.width, options.height}),
+              aovs.selection);
     RenderCounters counters;
-    const RenderJob job{camera.data, make_params(options, flat), make_filter_table(options.filter)};
+    RenderJob job{camera.data, make_params(options, flat), make_filter_table(options.filter)};
+    if (next_pose) {
+        HM_TRY_ASSIGN(
+            const CameraChoice next,
+            choose_camera(options.view, shared.scene, next_pose->world, flat.bounds, aspect));
+        job.next_camera = next.data;
+    }
     HM_TRY_ASSIGN(
         const PassResult passes,
         render_passes(*renderer, job, film, counters,
@@ -118,7 +135,7 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
     fill_results(summary, film, counters);
 
     start = Clock::now();
-    HM_TRY(write_all(options, film, summary));
+    HM_TRY(write_all(options, film, aovs.names, summary));
     summary.times.write = seconds_since(start);
 
     record_warnings(summary, options.input, diagnostics);

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "app/cli/devices.h"
 #include "app/cli/flag.h"
 #include "app/cli/frames.h"
+#include "app/cli/layer_flags.h"
 #include "app/cli/load_flags.h"
 #include "app/cli/tone_flags.h"
 #include "app/cli/values.h"
@@ -127,13 +129,12 @@ void add_animation(CLI::App& app, RenderOptions& o) {
         add(app, "--at", "SECONDS", o.at, number(-1e9f, 1e9f),
             "The moment of the animation, which stands still before its first and after its last "
             "key. Without --at and --animation the scene is drawn in its rest pose");
-    CLI::Option* frames =
-        add(app, "--frames", "A:B", o.frames, parse_frames,
-            "Draw a sequence, both ends included: frame n shows n / fps seconds. In the outputs' "
-            "names a run of # stands for the frame's number; the number enters the seed");
-    frames->excludes(at);
-    add(app, "--fps", "N", o.fps, number(0.001f, 1e6f), "Frames per second of a sequence (24)")
-        ->needs(frames);
+    add(app, "--frames", "A:B", o.frames, parse_frames,
+        "Draw a sequence, both ends included: frame n shows n / fps seconds. In the outputs' "
+        "names a run of # stands for the frame's number; the number enters the seed")
+        ->excludes(at);
+    add(app, "--fps", "N", o.fps, number(0.001f, 1e6f),
+        "Frames per second of a sequence, and of the motion AOV (24)");
 }
 
 void add_light(CLI::App& app, RenderOptions& o) {
@@ -210,6 +211,7 @@ void add_render_flags(CLI::App& app, RenderOptions& options) {
     add_group(app, "Animation", add_animation, options);
     add_group(app, "Light", add_light, options);
     add_group(app, "Look", add_shading, options);
+    add_group(app, "Layers", add_layer_flags, options.layers);
     add_group(app, "For checking the renderer", add_checks, options);
 }
 
@@ -221,18 +223,24 @@ Result<void> check_render_options(const RenderOptions& o) {
         return usage(
             fmt::format("--crop: reaches beyond the picture's {} x {} pixels", o.width, o.height));
     // Sums, the resolved picture and what the formats make of it.
-    constexpr double kBytesPerPixel = 80, kGiB = 1024.0 * 1024.0 * 1024.0;
+    constexpr double kBeautyBytes = 80, kGiB = 1024.0 * 1024.0 * 1024.0;
+    const double bytes_per_pixel = kBeautyBytes + layer_bytes_per_pixel(o.layers);
     const PixelRect crop = o.crop.value_or(PixelRect{0, 0, o.width, o.height});
-    const double need = double(crop.width()) * double(crop.height()) * kBytesPerPixel / kGiB;
+    const double need = double(crop.width()) * double(crop.height()) * bytes_per_pixel / kGiB;
     const double memory =
         double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE)) / kGiB;
     if (need > memory)
         return usage(fmt::format("--size: needs {:.1f} GiB and the machine has {:.1f}; use --crop",
                                  need, memory));
+    HM_TRY(check_layer_options(o.layers));
     if (o.filter_width && *o.filter_width <= 0) return usage("--filter-width: must be above 0");
     if (o.view.up && *o.view.up == vec3(0)) return usage("--up: must have a length");
     if (o.view.target && *o.view.target == *o.view.eye)
         return usage("--target: is the same point as --eye");
+    const bool has_fps = std::any_of(o.given.begin(), o.given.end(),
+                                     [](const auto& flag) { return flag.first == "fps"; });
+    if (has_fps && !o.frames && !o.at && o.animation.empty())
+        return usage("--fps: needs --frames, --at or --animation");
     for (const std::filesystem::path& path : o.outputs) {
         if (o.frames && !has_frame_pattern(path))
             return usage(fmt::format("--frames: \"{}\" needs one run of # for the frame's number",

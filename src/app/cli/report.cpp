@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/cli/json_writer.h"
 
 namespace hm::cli {
@@ -96,22 +98,35 @@ SceneStats scene_stats(const Scene& scene, const FlatScene& flat) {
     return s;
 }
 
-// Nothing here depends on the clock, and on the machine only what bits depend on: the same picture
-// is the same file.
+// The seconds aside, nothing here depends on the clock, and on the machine only what bits depend
+// on.
 Metadata picture_metadata(const RenderOptions& options, const RenderSummary& summary) {
-    return {{"software", "Himalaya " HIMALAYA_VERSION},
-            {"settings", settings_line(options)},
-            {"samplesPerPixel", fmt::format("{:g}", summary.samples_per_pixel)},
-            {"seed", fmt::format("{}", options.seed)},
-            {"sampler", sampler_name(options.sampler)},
-            {"bounces", options.bounces == 0 ? "no limit" : fmt::format("{}", options.bounces)},
-            {"bias", bias(options, summary)},
-            {"colorSpace", "linear Rec.709"},
-            {"camera", summary.camera},
-            {"view", summary.view},
-            {"exposure", fmt::format("{:g} EV, PNG only", summary.exposure)},
-            {"environment", summary.environment},
-            {"device", summary.renderer.device}};
+    Metadata metadata = {
+        {"software", "Himalaya " HIMALAYA_VERSION},
+        {"settings", settings_line(options)},
+        {"samplesPerPixel", fmt::format("{:g}", summary.samples_per_pixel)},
+        {"seed", fmt::format("{}", options.seed)},
+        {"sampler", sampler_name(options.sampler)},
+        {"bounces", options.bounces == 0 ? "no limit" : fmt::format("{}", options.bounces)},
+        {"bias", bias(options, summary)},
+        {"colorSpace", "linear Rec.709"},
+        {"camera", summary.camera},
+        {"view", summary.view},
+        {"exposure", fmt::format("{:g} EV, PNG only", summary.exposure)},
+        {"environment", summary.environment},
+        {"sceneHash", summary.scene_hash},
+        {"device", summary.renderer.device},
+        {"renderSeconds", fmt::format("{:.3f}", summary.times.render)},
+        {"clamp", options.clamp == 0 ? "off" : fmt::format("{:g}", options.clamp)},
+        {"clampRemovedShare", fmt::format("{:g}", removed_share(summary))}};
+    if (summary.estimated_error)
+        metadata.emplace_back("estimatedError", fmt::format("{:g}", *summary.estimated_error));
+    const auto& aovs = options.layers.aovs;
+    if (std::find(aovs.begin(), aovs.end(), Aov::variance) != aovs.end())
+        metadata.emplace_back("varianceFrom", options.sampler == kSamplerIndependent
+                                                  ? "samples"
+                                                  : fmt::format("{} replicates", kReplicates));
+    return metadata;
 }
 
 std::string json_report(const RenderOptions& options, const RenderSummary& summary,
@@ -133,6 +148,7 @@ std::string json_report(const RenderOptions& options, const RenderSummary& summa
     json.field("non_finite_samples", summary.non_finite);
     json.field("clamp_removed_share", removed_share(summary));
     json.field("mean_luminance", summary.mean_luminance);
+    if (summary.estimated_error) json.field("estimated_error", *summary.estimated_error);
     json.field("interrupted", summary.interrupted);
     json.key("outputs").begin_array();
     for (const std::filesystem::path& path : options.outputs)

@@ -1,6 +1,7 @@
 // What is told about a finished picture: metadata inside the file, a JSON report, one line.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/cli/options.h"
@@ -37,6 +38,8 @@ struct RenderSummary {
     std::uint64_t samples = 0, rays = 0, non_finite = 0;
     double samples_per_pixel = 0;  // the mean, where an early end left differences
     double removed_luminance = 0, mean_luminance = 0;  // by the clamp, and what is left
+    std::optional<double> estimated_error;             // see film/variance.h
+    std::string scene_hash;
     bool interrupted = false;
 };
 

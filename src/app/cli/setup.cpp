@@ -61,7 +61,8 @@ Result<std::size_t> find_camera(const std::string& wanted, const Scene& scene,
 }
 
 Result<CameraChoice> file_camera(const ViewOptions& view, const Scene& scene,
-                                 const std::vector<std::size_t>& nodes, const Bounds& bounds,
+                                 const std::vector<std::size_t>& nodes,
+                                 const std::vector<glm::mat4>& world, const Bounds& bounds,
                                  float aspect) {
     std::size_t chosen = 0;
     if (!view.camera.empty()) {
@@ -73,7 +74,7 @@ Result<CameraChoice> file_camera(const ViewOptions& view, const Scene& scene,
         return fail(ExitCode::usage, scene.file, "",
                     "--fov: the chosen camera is orthographic and has no field of view");
     if (view.fov) camera.yfov = radians_of(*view.fov);
-    CameraChoice choice{camera_from_node(camera, world_transforms(scene)[node], aspect),
+    CameraChoice choice{camera_from_node(camera, world[node], aspect),
                         fmt::format("camera {}", chosen)};
     if (!name_of(scene, node).empty()) choice.name += fmt::format(" ({})", name_of(scene, node));
     const float middle = dot(bounds.center() - choice.data.origin, choice.data.forward);
@@ -102,7 +103,8 @@ Result<EnvironmentChoice> choose_environment(const RenderOptions& options, const
 }
 
 Result<CameraChoice> choose_camera(const ViewOptions& view, const Scene& scene,
-                                   const Bounds& bounds, float aspect) {
+                                   const std::vector<glm::mat4>& world, const Bounds& bounds,
+                                   float aspect) {
     const std::vector<std::size_t> nodes = camera_nodes(scene);
     const float fov = radians_of(view.fov.value_or(kDefaultFov));
     CameraChoice choice;
@@ -114,13 +116,18 @@ Result<CameraChoice> choose_camera(const ViewOptions& view, const Scene& scene,
         choice = {camera_look_at(*view.eye, target, view.up.value_or(vec3(0, 1, 0)), fov, aspect),
                   "look-at"};
     } else if (!nodes.empty() || !view.camera.empty()) {
-        HM_TRY_ASSIGN(choice, file_camera(view, scene, nodes, bounds, aspect));
+        HM_TRY_ASSIGN(choice, file_camera(view, scene, nodes, world, bounds, aspect));
     } else {
         choice = {camera_framing(bounds, fov, aspect), "framing"};
     }
     choice.data.lens_radius = view.aperture;
     if (view.focus) choice.data.focus_distance = *view.focus;
     return choice;
+}
+
+Result<CameraChoice> choose_camera(const ViewOptions& view, const Scene& scene,
+                                   const Bounds& bounds, float aspect) {
+    return choose_camera(view, scene, world_transforms(scene), bounds, aspect);
 }
 
 std::string view_flags(const CameraData& c) {

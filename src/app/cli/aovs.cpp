@@ -1,0 +1,49 @@
+#include "app/cli/aovs.h"
+
+#include <algorithm>
+
+#include "scene/light_groups.h"
+
+namespace hm::cli {
+namespace {
+
+AovSelection select_aovs(const RenderOptions& options) {
+    AovSelection selection;
+    for (const AovInfo& info : all_aovs()) {
+        const auto& chosen = options.layers.aovs;
+        const bool wanted = std::find(chosen.begin(), chosen.end(), info.aov) != chosen.end();
+        if (wanted || (info.aov == Aov::light_groups && options.layers.light_groups))
+            selection.aovs.push_back(info.aov);
+    }
+    selection.sample_variance = options.sampler == kSamplerIndependent;
+    return selection;
+}
+
+}  // namespace
+
+Result<std::optional<PoseRecord>> record_next_pose(const RenderOptions& options, Scene& scene,
+                                                   const std::optional<PoseTime>& pose) {
+    if (!pose || !select_aovs(options).has(Aov::motion)) return std::nullopt;
+    HM_TRY(pose_scene(scene, PoseTime{pose->animation, pose->seconds + 1.0 / double(options.fps)}));
+    return record_pose(scene);
+}
+
+AovSetup prepare_aovs(const RenderOptions& options, const Scene& scene, FlatScene& flat,
+                      const std::optional<PoseRecord>& next_pose) {
+    AovSetup setup{select_aovs(options), {}};
+    if (setup.selection.has(Aov::light_groups)) {
+        LightGroups groups = find_light_groups(scene, flat);
+        setup.selection.light_groups = std::move(groups.names);
+        flat.aovs.source_groups = std::move(groups.source_groups);
+    }
+    if (setup.selection.wants_ids()) setup.names = name_surfaces(scene, flat);
+    if (next_pose) set_next_pose(flat, scene, *next_pose);
+    return setup;
+}
+
+LayerChoice layer_choice(const RenderOptions& options, const SurfaceNames& names) {
+    return {options.width, options.height, options.background == kBackgroundTransparent,
+            options.layers.half, CryptomatteNames{names.objects, names.materials, names.assets}};
+}
+
+}  // namespace hm::cli
