@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "scene/camera.h"
+#include "scene/light_groups.h"
+#include "scene/motion.h"
 #include "scene/tangents.h"
 #include "shading/tables/tables.h"
 #include "support/statistics.h"
@@ -31,8 +33,8 @@ Studio::Studio(Scene scene, EnvironmentMap environment, LightChoice choice, unsi
       flat_(flatten_quietly(scene_, std::move(environment), choice)),
       renderer_(flat_, threads) {}
 
-std::vector<PixelSum> Studio::render_sums(const CameraData& camera, const Shot& shot,
-                                          PixelRect crop) {
+void Studio::draw(const CameraData& camera, const CameraData& next_camera, const Shot& shot,
+                  Film& film) {
     RenderParams params{};
     params.width = shot.width;
     params.height = shot.height;
@@ -46,13 +48,38 @@ std::vector<PixelSum> Studio::render_sums(const CameraData& camera, const Shot& 
     params.filter_width = 1;
     set_light_ranges(flat_, params);
     static const std::array<float, 257> box = make_filter_table(PixelFilter::box);
-    Film film(crop);
     RenderCounters counters;
-    EXPECT_TRUE(renderer_.begin({camera, params, box}, film));
+    EXPECT_TRUE(renderer_.begin({camera, params, box, next_camera}, film));
     EXPECT_TRUE(renderer_.render(shot.first_sample, shot.first_sample + shot.samples, counters,
                                  std::atomic<bool>(false)));
     EXPECT_EQ(counters.non_finite.load(), 0u);
+}
+
+std::vector<PixelSum> Studio::render_sums(const CameraData& camera, const Shot& shot,
+                                          PixelRect crop) {
+    Film film(crop);
+    draw(camera, camera, shot, film);
     return film.sums;
+}
+
+Film Studio::render_film(const CameraData& camera, const Shot& shot, const std::vector<Aov>& aovs,
+                         const CameraData& next_camera) {
+    AovSelection selection;
+    selection.aovs = aovs;
+    selection.sample_variance = shot.sampler == kSamplerIndependent;
+    if (selection.has(Aov::light_groups)) {
+        LightGroups groups = find_light_groups(scene_, flat_);
+        selection.light_groups = groups.names;
+        flat_.aovs.source_groups = groups.source_groups;
+    }
+    Film film({0, 0, shot.width, shot.height}, selection);
+    draw(camera, next_camera.half_width > 0 ? next_camera : camera, shot, film);
+    return film;
+}
+
+void Studio::set_next(const Scene& next) {
+    PoseRecord record = record_pose(next);
+    set_next_pose(flat_, scene_, record);
 }
 
 Picture Studio::render(const CameraData& camera, const Shot& shot) {

@@ -40,9 +40,18 @@ class Studio {
 
     Picture render(const CameraData& camera, const Shot& shot);
     std::vector<PixelSum> render_sums(const CameraData& camera, const Shot& shot, PixelRect crop);
+    // With AOVs; light groups are found by their own rule.
+    Film render_film(const CameraData& camera, const Shot& shot, const std::vector<Aov>& aovs,
+                     const CameraData& next_camera = {});
+    // Where everything goes: `next` is the same scene in another pose.
+    void set_next(const Scene& next);
     const FlatScene& flat() const { return flat_; }
+    const Scene& scene() const { return scene_; }
 
   private:
+    void draw(const CameraData& camera, const CameraData& next_camera, const Shot& shot,
+              Film& film);
+
     Scene scene_;
     FlatScene flat_;
     CpuRenderer renderer_;
