@@ -22,4 +22,11 @@ Result<const PathTracingPass*> GpuContext::path_tracing(PathTracingVariant varia
     return &path_tracing_.emplace(variant, std::move(pass)).first->second;
 }
 
+Result<const BareTracePass*> GpuContext::bare_trace() {
+    if (!bare_trace_) {
+        HM_TRY_ASSIGN(bare_trace_, BareTracePass::create(*device_, layouts_, &cache_));
+    }
+    return &*bare_trace_;
+}
+
 }  // namespace hm

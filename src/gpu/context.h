@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "base/diagnostics.h"
 #include "gpu/layouts.h"
+#include "gpu/passes/bare_trace/bare_trace.h"
 #include "gpu/passes/path_tracing/path_tracing.h"
 #include "rhi/device.h"
 #include "rhi/pipeline_cache.h"
@@ -27,6 +29,7 @@ class GpuContext {
 
     // Compiled when first asked for, which takes seconds where the cache has it not.
     Result<const PathTracingPass*> path_tracing(PathTracingVariant variant);
+    Result<const BareTracePass*> bare_trace();
 
   private:
     GpuContext() = default;
@@ -35,6 +38,7 @@ class GpuContext {
     SceneLayouts layouts_;
     rhi::PipelineCache cache_;
     std::map<PathTracingVariant, PathTracingPass> path_tracing_;
+    std::optional<BareTracePass> bare_trace_;
 };
 
 }  // namespace hm

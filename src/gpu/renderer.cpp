@@ -123,7 +123,35 @@ Result<void> VulkanRenderer::make_targets() {
     }
     if (!clamps_) removed.resize(1);
     HM_TRY(upload_sums(device, accumulation_, sums));
-    return upload_sums(device, removed_, removed);
+    HM_TRY(upload_sums(device, removed_, removed));
+    for (Slot& slot : slots_)
+        HM_TRY(declare(slot));
+    return {};
+}
+
+// One submission. The graph makes it wait for the other slot's, which adds to the same sums.
+Result<void> VulkanRenderer::declare(Slot& slot) {
+    slot.graph = std::make_unique<graph::Graph>(context_.device(), "trace");
+    graph::Ref counters = slot.graph->import(counters_);
+    graph::Pass trace = slot.graph->pass("trace", graph::PassKind::trace);
+    trace.updates(slot.graph->import(accumulation_));
+    trace.updates(slot.graph->import(removed_));
+    counters = trace.updates(counters);
+    trace.records([this, &slot](rhi::Commands& commands) { record_trace(commands, slot); });
+    graph::Pass back = slot.graph->pass("counters back", graph::PassKind::copy);
+    back.reads(counters);
+    back.writes(slot.graph->import(slot.counters));
+    back.records(
+        [this, &slot](rhi::Commands& commands) { commands.copy(counters_, slot.counters); });
+    return slot.graph->compile();
+}
+
+void VulkanRenderer::record_trace(rhi::Commands& commands, Slot& slot) {
+    const TraceRange range = {film_->crop.x0, film_->crop.y0, slot.batch.first_row,
+                              slot.batch.sample_begin, slot.batch.sample_end};
+    slot.timestamps.write(commands, 0);
+    pass_->record(commands, *scene_, {accumulation_, removed_, counters_}, range, slot.batch.rows);
+    slot.timestamps.write(commands, 1);
 }
 
 Result<void> VulkanRenderer::submit(Slot& slot, const Batch& batch) {
@@ -132,17 +160,10 @@ Result<void> VulkanRenderer::submit(Slot& slot, const Batch& batch) {
     } else {
         HM_TRY(slot.commands.begin_again());
     }
-    const TraceRange range = {film_->crop.x0, film_->crop.y0, batch.first_row, batch.sample_begin,
-                              batch.sample_end};
-    slot.commands.full_barrier();  // after the other slot's submission, which adds to the same sums
-    slot.timestamps.reset(slot.commands);
-    slot.timestamps.write(slot.commands, 0);
-    pass_->record(slot.commands, *scene_, {accumulation_, removed_, counters_}, range, batch.rows);
-    slot.timestamps.write(slot.commands, 1);
-    slot.commands.full_barrier();
-    slot.commands.copy(counters_, slot.counters);
-    HM_TRY_ASSIGN(slot.ticket, context_.device().submit(slot.commands));
     slot.batch = batch;
+    slot.timestamps.reset(slot.commands);
+    slot.graph->record(slot.commands);
+    HM_TRY_ASSIGN(slot.ticket, context_.device().submit(slot.commands));
     slot.busy = true;
     return {};
 }

@@ -9,6 +9,7 @@
 #include "gpu/batches.h"
 #include "gpu/context.h"
 #include "gpu/scene.h"
+#include "graph/graph.h"
 #include "rhi/query.h"
 
 namespace hm {
@@ -34,6 +35,7 @@ class VulkanRenderer final : public Renderer {
   private:
     // A submission that may be under way while the other is recorded.
     struct Slot {
+        std::unique_ptr<graph::Graph> graph;  // for the targets of the last begin
         rhi::Commands commands;
         rhi::Timestamps timestamps;
         rhi::Buffer counters;  // a copy of the device's, after the submission
@@ -45,6 +47,8 @@ class VulkanRenderer final : public Renderer {
     explicit VulkanRenderer(GpuContext& context) : context_(context) {}
     Result<void> make_slots();
     Result<void> make_targets();
+    Result<void> declare(Slot& slot);
+    void record_trace(rhi::Commands& commands, Slot& slot);
     Result<void> submit(Slot& slot, const Batch& batch);
     Result<void> finish(Slot& slot, RenderCounters& counters);
     void count(const Slot& slot, RenderCounters& counters);

@@ -36,10 +36,33 @@ struct TraceCounters {
     uint non_finite;
 };
 
+// Rays as the recording build of the path tracer keeps them: ray k of pixel p is at k * pixels + p.
+HM_CONST uint kRecordedClosest = 1u;
+HM_CONST uint kRecordedShadow = 2u;
+struct RecordedRay {
+    vec3 origin;
+    float t_max;
+    vec3 direction;
+    uint kind;  // kRecorded*
+};
+
+// How many rays of a pixel were recorded, and how many of them are shadow rays.
+struct RecordedCounts {
+    uint rays;
+    uint shadow_rays;
+};
+
+// Push constants of the bare tracer.
+struct BareRange {
+    uint pixels;
+    uint kinds;  // kRecorded*, one or both
+};
+
 HM_NAMESPACE_END
 
 #ifdef __cplusplus
 namespace hm {
+static_assert(sizeof(RecordedRay) == 32 && sizeof(BareRange) == 8);
 static_assert(sizeof(GeometryAddresses) == 24 && sizeof(TraceRange) == 20);
 static_assert(sizeof(FrameData) ==
               sizeof(RenderParams) + sizeof(CameraData) + sizeof(EnvironmentData));

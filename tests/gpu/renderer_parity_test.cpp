@@ -2,15 +2,19 @@
 // picture. docs/testing.md says which scenes, and how to try many more.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 
-#include "app/cli/setup.h"
+#include "base/files.h"
 #include "gltf/load.h"
 #include "gpu/odd_scene.h"
 #include "gpu/path_tracer.h"
 #include "gpu/renderers.h"
 #include "image/read.h"
+#include "scene/camera.h"
 
 namespace hm::test {
 
@@ -23,20 +27,33 @@ fs::path source_dir() {
     return dir != nullptr ? dir : ".";
 }
 
-// A file as `himalaya render` draws it without flags beside --env.
-void expect_file_parity(const fs::path& file, const std::string& env) {
+// The file's first camera, or one that frames the whole scene.
+CameraData camera_of(const Scene& scene, const Bounds& bounds) {
+    const std::vector<glm::mat4> world = world_transforms(scene);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+        if (scene.nodes[i].camera != kUnset)
+            return camera_from_node(scene.cameras[std::size_t(scene.nodes[i].camera)], world[i], 1);
+    return camera_framing(bounds, 0.8f, 1);
+}
+
+// Both pictures of a scene file are the same. False if it can't be read: it is broken, or asks for
+// what we do not have.
+bool expect_file_parity(const fs::path& file, const Image& sky, float intensity) {
     Diagnostics diagnostics;
     const Result<Scene> scene = load_gltf(file, diagnostics);
-    if (!scene) return;  // broken, or asks for what we do not have
-    cli::RenderOptions options;
-    options.width = options.height = kPictureSize;
-    options.env = env;
-    auto environment = cli::choose_environment(options, *scene);
-    ASSERT_TRUE(environment) << environment.error().line();
-    const FlatScene flat = flatten(*scene, std::move(environment->map), {}, diagnostics);
-    const auto camera = cli::choose_camera({}, *scene, flat.bounds, 1);
-    ASSERT_TRUE(camera) << camera.error().line();
-    Duel(flat).expect_parity(make_job(flat, camera->data), file.filename().string());
+    if (!scene) return false;
+    const FlatScene flat =
+        flatten(*scene, make_environment(sky, 0, intensity), LightChoice{}, diagnostics);
+    Duel(flat).expect_parity(make_job(flat, camera_of(*scene, flat.bounds)),
+                             file.filename().string());
+    return true;
+}
+
+Image read_sky(const fs::path& file) {
+    const auto bytes = read_file(file);
+    const auto image = bytes ? read_environment_image(*bytes, file.string())
+                             : Result<Image>(tl::unexpected(bytes.error()));
+    return image ? *image : throw std::runtime_error(image.error().line());
 }
 
 TEST(RendererParity, EveryFeatureAndEverySetting) {
@@ -79,9 +96,31 @@ TEST(RendererParity, OddShapesAndPlacements) {
 
 TEST(RendererParity, ShippedScenes) {
     const fs::path scenes = source_dir() / "scenes";
-    expect_file_parity(scenes / "cornell.glb", "none");
-    expect_file_parity(scenes / "spheres.glb", "");
-    expect_file_parity(scenes / "hero.glb", (scenes / "hero_sky.hdr").string());
+    EXPECT_TRUE(expect_file_parity(scenes / "cornell.glb", default_environment(), 0));
+    EXPECT_TRUE(expect_file_parity(scenes / "spheres.glb", default_environment(), 0.25f));
+    EXPECT_TRUE(expect_file_parity(scenes / "hero.glb", read_sky(scenes / "hero_sky.hdr"), 1));
+}
+
+// Every scene file below a folder that is at most 200 kB, or with HIMALAYA_PARITY=all every one.
+TEST(RendererParity, Assets) {
+    const char* given = std::getenv("HIMALAYA_ASSETS");
+    const fs::path assets = given != nullptr ? given : source_dir() / ".." / "shared" / "assets";
+    if (!fs::is_directory(assets)) GTEST_SKIP() << "no folder " << assets;
+    const char* chosen = std::getenv("HIMALAYA_PARITY");
+    const bool all = chosen != nullptr && std::string(chosen) == "all";
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(assets)) {
+        const fs::path extension = entry.path().extension();
+        if (extension != ".glb" && extension != ".gltf") continue;
+        if (all || entry.file_size() <= 200'000) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    const Image sky = default_environment();
+    std::size_t drawn = 0;
+    for (const fs::path& file : files)
+        drawn += expect_file_parity(file, sky, 1) ? 1u : 0u;
+    std::printf("%zu of %zu files drawn\n", drawn, files.size());
+    EXPECT_GT(drawn, 0u);
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ rhi::PhysicalDevice choose_device(const rhi::Instance& instance) {
 
 std::unique_ptr<GpuContext> make_context() {
     rhi::InstanceOptions options;
-    options.validation = true;
+    const char* wanted = std::getenv("HIMALAYA_VALIDATION");
+    options.validation = wanted == nullptr || std::string(wanted) != "0";
     const auto instance = value_of(rhi::Instance::create(options));
     const rhi::PhysicalDevice physical = choose_device(*instance);
     std::printf("on %s, %s\n", physical.name.c_str(), physical.driver.c_str());

@@ -1,6 +1,7 @@
 #include "gpu/spirv_layout.h"
 
 #include <stdexcept>
+#include <vector>
 
 namespace hm::test {
 
@@ -10,7 +11,16 @@ constexpr std::uint32_t kMagic = 0x07230203;
 constexpr std::uint32_t kHeaderWords = 5;
 constexpr std::uint32_t kOpName = 5;
 constexpr std::uint32_t kOpMemberName = 6;
+constexpr std::uint32_t kOpTypeBool = 20;
+constexpr std::uint32_t kOpTypeInt = 21;
+constexpr std::uint32_t kOpTypeFloat = 22;
+constexpr std::uint32_t kOpTypeVector = 23;
 constexpr std::uint32_t kOpTypeRuntimeArray = 29;
+constexpr std::uint32_t kOpTypeStruct = 30;
+constexpr std::uint32_t kOpTypePointer = 32;
+constexpr std::uint32_t kOpVariable = 59;
+constexpr std::uint32_t kRayPayload = 5338;  // storage classes
+constexpr std::uint32_t kIncomingRayPayload = 5342;
 constexpr std::uint32_t kOpDecorate = 71;
 constexpr std::uint32_t kOpMemberDecorate = 72;
 constexpr std::uint32_t kDecorationArrayStride = 6;
@@ -29,6 +39,9 @@ struct Module {
     std::map<std::uint32_t, std::map<std::uint32_t, Member>> structs;
     std::map<std::uint32_t, std::size_t> array_strides;     // array type -> bytes
     std::map<std::uint32_t, std::uint32_t> element_arrays;  // element type -> array type
+    std::map<std::uint32_t, std::size_t> sizes;             // of types, bytes, without padding
+    std::map<std::uint32_t, std::uint32_t> pointees;        // pointer type -> type
+    std::vector<std::uint32_t> payloads;                    // their pointer types
 };
 
 // A literal string: bytes in words, least significant first, closed by zero.
@@ -42,6 +55,26 @@ std::string read_text(std::span<const std::uint32_t> words) {
         }
     }
     return text;
+}
+
+// Types come before what is made of them, so their sizes are known.
+void read_type(std::uint32_t code, std::span<const std::uint32_t> operands, Module& module) {
+    const std::uint32_t id = operands[0];
+    if (code == kOpTypeBool) {
+        module.sizes[id] = 4;
+    } else if (code == kOpTypeInt || code == kOpTypeFloat) {
+        module.sizes[id] = operands[1] / 8;
+    } else if (code == kOpTypeVector) {
+        module.sizes[id] = module.sizes[operands[1]] * operands[2];
+    } else if (code == kOpTypeStruct) {
+        for (const std::uint32_t member : operands.subspan(1))
+            module.sizes[id] += module.sizes[member];
+    } else if (code == kOpTypePointer) {
+        module.pointees[id] = operands[2];
+    } else if (code == kOpVariable &&
+               (operands[2] == kRayPayload || operands[2] == kIncomingRayPayload)) {
+        module.payloads.push_back(id);
+    }
 }
 
 void read_instruction(std::uint32_t code, std::span<const std::uint32_t> operands, Module& module) {
@@ -62,18 +95,34 @@ void read_instruction(std::uint32_t code, std::span<const std::uint32_t> operand
     }
 }
 
-}  // namespace
-
-std::map<std::string, StructLayout> read_struct_layouts(std::span<const std::uint32_t> spirv) {
+Module read_module(std::span<const std::uint32_t> spirv) {
     if (spirv.size() < kHeaderWords || spirv[0] != kMagic) throw std::runtime_error("not SPIR-V");
     Module module;
     for (std::size_t at = kHeaderWords; at < spirv.size();) {
         const std::uint32_t words = spirv[at] >> 16;
         if (words == 0 || at + words > spirv.size()) throw std::runtime_error("cut-off SPIR-V");
-        read_instruction(spirv[at] & 0xffffu, spirv.subspan(at + 1, words - 1), module);
+        const std::uint32_t code = spirv[at] & 0xffffu;
+        read_instruction(code, spirv.subspan(at + 1, words - 1), module);
+        read_type(code, spirv.subspan(at + 1, words - 1), module);
         at += words;
     }
+    return module;
+}
 
+}  // namespace
+
+std::map<std::string, std::size_t> read_payload_sizes(std::span<const std::uint32_t> spirv) {
+    Module module = read_module(spirv);
+    std::map<std::string, std::size_t> sizes;
+    for (const std::uint32_t pointer : module.payloads) {
+        const std::uint32_t type = module.pointees[pointer];
+        sizes[module.names[type]] = module.sizes[type];
+    }
+    return sizes;
+}
+
+std::map<std::string, StructLayout> read_struct_layouts(std::span<const std::uint32_t> spirv) {
+    Module module = read_module(spirv);
     std::map<std::string, StructLayout> layouts;
     for (const auto& [id, members] : module.structs) {
         if (!members.begin()->second.has_offset) continue;

@@ -17,6 +17,9 @@ struct StructLayout {
     std::size_t array_stride = 0;  // of arrays of this struct; 0: there is none
 };
 
+// Bytes of the payloads that a ray-tracing stage declares, by the struct's name; booleans count 4.
+std::map<std::string, std::size_t> read_payload_sizes(std::span<const std::uint32_t> spirv);
+
 // By the struct's name. Structs without offsets, which no buffer holds, are left out.
 std::map<std::string, StructLayout> read_struct_layouts(std::span<const std::uint32_t> spirv);
 

@@ -5,10 +5,12 @@
 #include "shaders/anyhit_rahit.h"
 #include "shaders/closesthit_rchit.h"
 #include "shaders/miss_rmiss.h"
+#include "shaders/reference_view_record.h"
 #include "shaders/reference_view_reorder.h"
 #include "shaders/reference_view_rgen.h"
 #include "shaders/shadow_anyhit.h"
 #include "shaders/shadow_miss_rmiss.h"
+#include "shading/path/types.h"
 
 namespace hm {
 namespace {
@@ -18,12 +20,19 @@ constexpr std::uint32_t kAccumulation = 0;
 constexpr std::uint32_t kSobolDirections = 3;
 constexpr std::uint32_t kRemoved = 4;
 constexpr std::uint32_t kCounters = 5;
+constexpr std::uint32_t kRays = 6;
+constexpr std::uint32_t kRayCounts = 7;
 
-constexpr std::array<rhi::Binding, 4> kTargets = {{
+// The payloads are contracts between the stages, and devices keep them in registers.
+static_assert(sizeof(PathPayload) == 116 && sizeof(ShadowPayload) == 8);
+
+constexpr std::array<rhi::Binding, 6> kTargets = {{
     {kAccumulation, rhi::DescriptorKind::storage_image},
     {kSobolDirections, rhi::DescriptorKind::storage_buffer},
     {kRemoved, rhi::DescriptorKind::storage_image},
     {kCounters, rhi::DescriptorKind::storage_buffer},
+    {kRays, rhi::DescriptorKind::storage_buffer},
+    {kRayCounts, rhi::DescriptorKind::storage_buffer},
 }};
 
 }  // namespace
@@ -39,10 +48,13 @@ Result<PathTracingPass> PathTracingPass::create(rhi::Device& device, const Scene
     HM_TRY_ASSIGN(pass.layout_,
                   rhi::PipelineLayout::create(device, "path tracing", sets, sizeof(TraceRange)));
     rhi::RayTracingPipelineInfo info;
-    info.name = variant.reorder ? "path tracing, reordered" : "path tracing";
+    info.name = variant.record    ? "path tracing, recorded"
+                : variant.reorder ? "path tracing, reordered"
+                                  : "path tracing";
     info.layout = &pass.layout_;
-    info.ray_generation =
-        variant.reorder ? shaders::reference_view_reorder() : shaders::reference_view_rgen();
+    info.ray_generation = variant.record    ? shaders::reference_view_record()
+                          : variant.reorder ? shaders::reference_view_reorder()
+                                            : shaders::reference_view_rgen();
     info.misses = {shaders::miss_rmiss(), shaders::shadow_miss_rmiss()};
     info.hit_groups = {{shaders::closesthit_rchit(), shaders::anyhit_rahit()},
                        {{}, shaders::shadow_anyhit()}};
@@ -58,6 +70,8 @@ void PathTracingPass::record(rhi::Commands& commands, const GpuScene& scene,
         .buffer(kSobolDirections, scene.sobol_directions())
         .image(kRemoved, targets.removed)
         .buffer(kCounters, targets.counters);
+    if (targets.rays != nullptr)
+        writes.buffer(kRays, *targets.rays).buffer(kRayCounts, *targets.ray_counts);
     commands.bind(pipeline_);
     commands.bind_set(layout_, 0, scene.scene_set());
     commands.bind_set(layout_, 1, scene.texture_set());

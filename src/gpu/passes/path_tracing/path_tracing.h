@@ -13,6 +13,8 @@ namespace hm {
 struct PathTracingVariant {
     // Hits are sorted before they are shaded (VK_NV_ray_tracing_invocation_reorder).
     bool reorder = false;
+    // The rays of the first sample are kept, for gpu/bench. Not with `reorder`.
+    bool record = false;
     auto operator<=>(const PathTracingVariant&) const = default;
 };
 
@@ -21,6 +23,9 @@ struct PathTracingTargets {
     const rhi::Image& accumulation;  // rgba32f: sums of radiance and alpha
     const rhi::Image& removed;       // r32f: of luminance; 1 x 1 where nothing clamps
     const rhi::Buffer& counters;     // kCounterRows TraceCounters
+    // For the variant that records: RecordedRay and RecordedCounts.
+    const rhi::Buffer* rays = nullptr;
+    const rhi::Buffer* ray_counts = nullptr;
 };
 
 class PathTracingPass {
