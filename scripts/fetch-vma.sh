@@ -8,10 +8,12 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 target=$root/build/vma
 source "$root/scripts/private-apt.sh"
 
-if [ -f "$target/include/vk_mem_alloc.h" ]; then
-    echo "fetch-vma: $target/include/vk_mem_alloc.h is there"
-    exit 0
-fi
+for header in "$target/include/vk_mem_alloc.h" /usr/include/vk_mem_alloc.h; do
+    if [ -f "$header" ]; then
+        echo "fetch-vma: $header is there"
+        exit 0
+    fi
+done
 
 work=$root/build/vma.new
 rm -rf "$work"

@@ -39,6 +39,7 @@ TEST_F(RhiDevice, DescribesItself) {
 }
 
 TEST_F(RhiDevice, ValidationIsHeard) {
+    if (!instance().validates()) GTEST_SKIP() << "HIMALAYA_VALIDATION is 0";
     // A copy outside of a buffer: the layer must say so, or the other tests prove nothing.
     const Buffer a = value_of(Buffer::create(device(), {.name = "small buffer", .size = 16}));
     expect_ok(run_once(device(), "bad copy", [&](Commands& commands) -> Result<void> {
@@ -56,7 +57,7 @@ TEST_F(RhiDevice, ValidationIsHeard) {
 TEST(RhiInstance, PrintsMessagesThatNobodyTook) {
     ::testing::internal::CaptureStderr();
     {
-        const auto instance = value_of(Instance::create({.validation = true}));
+        const auto instance = value_of(Instance::create({.validation = false}));
         instance->messages().add({.error = true, .id = "VUID-x", .text = "something"});
     }
     EXPECT_EQ(::testing::internal::GetCapturedStderr(),
@@ -64,6 +65,7 @@ TEST(RhiInstance, PrintsMessagesThatNobodyTook) {
 }
 
 TEST_F(RhiDevice, SynchronisationValidationIsHeard) {
+    if (!instance().validates()) GTEST_SKIP() << "HIMALAYA_VALIDATION is 0";
     const Buffer a = value_of(Buffer::create(device(), {.name = "a", .size = 16}));
     expect_ok(run_once(device(), "race", [&](Commands& commands) -> Result<void> {
         commands.fill(a, 1);

@@ -23,7 +23,7 @@ void expect_ok(const Result<void>& result) {
 }  // namespace
 
 struct ComputeDevice::State {
-    std::shared_ptr<rhi::Instance> instance = value_of(rhi::Instance::create({.validation = true}));
+    std::shared_ptr<rhi::Instance> instance = rhi::test::make_instance();
     std::unique_ptr<rhi::Device> device =
         value_of(rhi::Device::create(instance, rhi::test::any_device(*instance)));
 };
