@@ -86,7 +86,7 @@ ExitCode verdict(const Diagnosis& d) {
     const bool warned =
         std::any_of(d.findings.begin(), d.findings.end(),
                     [](const Finding& finding) { return finding.level == Level::warning; });
-    return warned ? kWarned : ExitCode::ok;
+    return warned ? ExitCode::warned : ExitCode::ok;
 }
 
 std::string doctor_text(const Diagnosis& d) {

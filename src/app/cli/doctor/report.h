@@ -16,7 +16,7 @@ struct Diagnosis {
     std::vector<Trial> trials;
 };
 
-// ok: a GPU is there, and every device draws what the CPU draws. kWarned: pictures can be drawn,
+// ok: a GPU is there, and every device draws what the CPU draws. warned: pictures can be drawn,
 // but something is amiss or only the CPU draws. device_failed: a device drew a wrong picture, or
 // none.
 ExitCode verdict(const Diagnosis& diagnosis);

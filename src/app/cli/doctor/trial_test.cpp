@@ -63,7 +63,7 @@ TEST(Verdict, IsTheWorstOfWhatWasFound) {
     d.trials[1].parity = Parity{0, 0, 1};
     EXPECT_EQ(verdict(d), ExitCode::ok);
     d.findings.push_back({Level::warning, "devices", "no GPU"});
-    EXPECT_EQ(verdict(d), kWarned);
+    EXPECT_EQ(verdict(d), ExitCode::warned);
     d.trials[1].parity->share_close = 0.5;
     EXPECT_EQ(verdict(d), ExitCode::device_failed);
     d.trials[1] = {};
