@@ -13,8 +13,8 @@ constexpr double kGrowth = 4;
 
 }  // namespace
 
-BatchSizer::BatchSizer(std::uint32_t width, std::uint32_t height, std::uint64_t max_pixels)
-    : width_(width), height_(height), max_pixels_(max_pixels), budget_(kFirstBudget) {}
+BatchSizer::BatchSizer(std::uint32_t width, std::uint32_t height, std::uint64_t max_samples)
+    : width_(width), height_(height), max_samples_(max_samples), budget_(kFirstBudget) {}
 
 void BatchSizer::learn(const Batch& batch, double milliseconds) {
     const double done = double(batch.samples(width_));
@@ -23,13 +23,14 @@ void BatchSizer::learn(const Batch& batch, double milliseconds) {
 }
 
 std::uint32_t BatchSizer::rows() const {
-    const double most = std::min(budget_, double(max_pixels_)) / std::max(width_, 1u);
+    const double most = std::min(budget_, double(max_samples_)) / std::max(width_, 1u);
     return std::uint32_t(std::clamp(most, 1.0, double(height_)));
 }
 
 std::uint32_t BatchSizer::samples() const {
     if (rows() < height_) return 1;
-    const double most = budget_ / (double(width_) * double(height_));
+    const double most =
+        std::min(budget_, double(max_samples_)) / (double(width_) * double(height_));
     return std::uint32_t(std::clamp(most, 1.0, 1024.0));
 }
 

@@ -27,8 +27,8 @@ struct Batch {
 class BatchSizer {
   public:
     BatchSizer() = default;
-    // max_pixels: of one launch.
-    BatchSizer(std::uint32_t width, std::uint32_t height, std::uint64_t max_pixels);
+    // max_samples: of all pixels of one launch together.
+    BatchSizer(std::uint32_t width, std::uint32_t height, std::uint64_t max_samples);
 
     void learn(const Batch& batch, double milliseconds);
     // How many rows, and of those how many samples where that is all rows.
@@ -38,8 +38,8 @@ class BatchSizer {
   private:
     std::uint32_t width_ = 0;
     std::uint32_t height_ = 0;
-    std::uint64_t max_pixels_ = 0;
-    double budget_ = 0;  // samples of a pixel per submission
+    std::uint64_t max_samples_ = 0;
+    double budget_ = 0;  // samples per submission that fit the time
 };
 
 // Cuts [begin, end) of all rows into batches: several samples of all rows, or where one sample of

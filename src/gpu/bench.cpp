@@ -86,7 +86,7 @@ Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const R
     HM_TRY_ASSIGN(const Scratch scratch, Scratch::create(device, width, height));
     HM_TRY_ASSIGN(const RecordedRays rays,
                   RecordedRays::create(device, width * height, 2 * params.max_bounces + 2));
-    const TraceRange first_sample = {0, 0, 0, 0, 1};
+    const TraceRange first_sample = {0, 0, 0, 0, 1, uvec2(0)};
 
     TraceRates rates;
     HM_TRY_ASSIGN(const PathTracingPass* recorder, context.path_tracing({.record = true}));

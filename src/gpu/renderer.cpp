@@ -1,10 +1,12 @@
 #include "gpu/renderer.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <span>
 
 #include "base/check.h"
+#include "scene/surface_names.h"
 
 namespace hm {
 namespace {
@@ -43,7 +45,7 @@ Result<std::vector<T>> download_sums(rhi::Device& device, const rhi::Image& imag
 
 Result<std::unique_ptr<VulkanRenderer>> VulkanRenderer::create(GpuContext& context,
                                                                const FlatScene& scene) {
-    std::unique_ptr<VulkanRenderer> renderer(new VulkanRenderer(context));
+    std::unique_ptr<VulkanRenderer> renderer(new VulkanRenderer(context, scene));
     HM_TRY_ASSIGN(renderer->pass_, context.path_tracing({}));
     HM_TRY_ASSIGN(renderer->scene_, GpuScene::create(context.device(), context.layouts(), scene));
     HM_TRY(renderer->make_slots());
@@ -94,17 +96,38 @@ Result<void> VulkanRenderer::make_slots() {
 }
 
 Result<void> VulkanRenderer::begin(const RenderJob& job, Film& film) {
-    if (film.selection.needs_planes())
-        return fail(ExitCode::usage, "", "",
-                    "--aov: only the CPU draws AOVs other than samples; use --device cpu");
     HM_TRY(context_.device().wait_idle());
     film_ = &film;
     clamps_ = job.params.max_radiance > 0;
     added_.assign(film.crop.height(), 0);
-    sizer_ = BatchSizer(film.crop.width(), film.crop.height(),
-                        context_.device().limits().max_rays_per_trace);
     HM_TRY(scene_->set_frame(job.params, job.camera, job.filter_table));
+    HM_TRY(make_aovs(job));
+    std::uint64_t most = context_.device().limits().max_rays_per_trace;
+    if (!surfaces_.empty()) most = std::min(most, kNotedSamples);
+    sizer_ = BatchSizer(film.crop.width(), film.crop.height(), most);
     return make_targets();
+}
+
+Result<void> VulkanRenderer::make_aovs(const RenderJob& job) {
+    rhi::Device& device = context_.device();
+    const bool with_aovs = film_->selection.needs_planes();
+    HM_TRY_ASSIGN(pass_, context_.path_tracing({.aovs = with_aovs}));
+    aovs_.reset();
+    surfaces_.clear();
+    ids_ = film_->ids;
+    if (!with_aovs) return {};
+    HM_TRY_ASSIGN(aovs_, GpuAovs::create(device, flat_, job, *film_));
+    if (!film_->selection.wants_ids()) return {};
+    surfaces_ = first_surfaces(flat_);
+    const std::uint64_t room = std::max<std::uint64_t>(kNotedSamples, film_->crop.width());
+    for (Slot& slot : slots_) {
+        const std::uint64_t bytes = room * sizeof(SampleHit);
+        HM_TRY_ASSIGN(slot.hits, rhi::Buffer::create(device, {"hits", bytes}));
+        HM_TRY_ASSIGN(slot.hits_back,
+                      rhi::Buffer::create(device, {"hits, read back", bytes, rhi::BufferUse::none,
+                                                   rhi::MemoryKind::readback}));
+    }
+    return {};
 }
 
 Result<void> VulkanRenderer::make_targets() {
@@ -137,6 +160,10 @@ Result<void> VulkanRenderer::declare(Slot& slot) {
     trace.updates(slot.graph->import(accumulation_));
     trace.updates(slot.graph->import(removed_));
     counters = trace.updates(counters);
+    if (aovs_)
+        for (const rhi::Buffer& plane : aovs_->planes())
+            trace.updates(slot.graph->import(plane));
+    if (!surfaces_.empty()) declare_hits(slot, trace);
     trace.records([this, &slot](rhi::Commands& commands) { record_trace(commands, slot); });
     graph::Pass back = slot.graph->pass("counters back", graph::PassKind::copy);
     back.reads(counters);
@@ -146,11 +173,32 @@ Result<void> VulkanRenderer::declare(Slot& slot) {
     return slot.graph->compile();
 }
 
+// Before the trace all samples have hit nothing; after it the host gets what they did.
+void VulkanRenderer::declare_hits(Slot& slot, graph::Pass& trace) {
+    graph::Ref hits = slot.graph->import(slot.hits);
+    graph::Pass none = slot.graph->pass("no hits", graph::PassKind::copy);
+    hits = none.writes(hits);
+    none.records([&slot](rhi::Commands& commands) { commands.fill(slot.hits, kNone); });
+    hits = trace.updates(hits);
+    graph::Pass back = slot.graph->pass("hits back", graph::PassKind::copy);
+    back.reads(hits);
+    back.writes(slot.graph->import(slot.hits_back));
+    back.records([this, &slot](rhi::Commands& commands) {
+        const std::uint64_t samples = slot.batch.samples(film_->crop.width());
+        commands.copy(slot.hits, slot.hits_back, 0, 0, samples * sizeof(SampleHit));
+    });
+}
+
 void VulkanRenderer::record_trace(rhi::Commands& commands, Slot& slot) {
-    const TraceRange range = {film_->crop.x0, film_->crop.y0, slot.batch.first_row,
-                              slot.batch.sample_begin, slot.batch.sample_end};
+    const std::uint64_t hits = surfaces_.empty() ? 0 : slot.hits.address();
+    const TraceRange range = {
+        film_->crop.x0,        film_->crop.y0,
+        slot.batch.first_row,  slot.batch.sample_begin,
+        slot.batch.sample_end, uvec2(std::uint32_t(hits), std::uint32_t(hits >> 32))};
+    PathTracingTargets targets{accumulation_, removed_, counters_};
+    targets.aovs = aovs_ ? &*aovs_ : nullptr;
     slot.timestamps.write(commands, 0);
-    pass_->record(commands, *scene_, {accumulation_, removed_, counters_}, range, slot.batch.rows);
+    pass_->record(commands, *scene_, targets, range, slot.batch.rows);
     slot.timestamps.write(commands, 1);
 }
 
@@ -178,6 +226,11 @@ Result<void> VulkanRenderer::finish(Slot& slot, RenderCounters& counters) {
     for (std::uint32_t row = 0; row < slot.batch.rows; ++row)
         added_[slot.batch.first_row + row] += samples;
     count(slot, counters);
+    if (!surfaces_.empty()) {
+        std::vector<SampleHit> hits(slot.batch.samples(film_->crop.width()));
+        std::memcpy(hits.data(), slot.hits_back.mapped().data(), hits.size() * sizeof(SampleHit));
+        count_hits(hits, slot.batch, film_->crop.width(), surfaces_, ids_);
+    }
     return {};
 }
 
@@ -221,6 +274,12 @@ Result<void> VulkanRenderer::sync() {
     std::vector<float> removed;
     if (clamps_) {
         HM_TRY_ASSIGN(removed, download_sums<float>(device, removed_, count));
+    }
+    if (aovs_) {
+        HM_TRY_ASSIGN(std::vector<std::vector<float>> planes, aovs_->download(device));
+        for (std::size_t p = 0; p < planes.size(); ++p)
+            film_->planes[p].values = std::move(planes[p]);
+        film_->ids = ids_;
     }
     const std::uint32_t width = film_->crop.width();
     for (std::size_t i = 0; i < count; ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace hm {
 
 class VulkanRenderer final : public Renderer {
   public:
-    // Uploads the scene and builds its acceleration structures. The context must outlive the
-    // renderer; `scene` is not used afterwards.
+    // Uploads the scene and builds its acceleration structures. Context and scene must outlive the
+    // renderer.
     static Result<std::unique_ptr<VulkanRenderer>> create(GpuContext& context,
                                                           const FlatScene& scene);
     ~VulkanRenderer() override;
@@ -39,21 +40,26 @@ class VulkanRenderer final : public Renderer {
         rhi::Commands commands;
         rhi::Timestamps timestamps;
         rhi::Buffer counters;  // a copy of the device's, after the submission
+        rhi::Buffer hits;      // SampleHits, for cryptomattes
+        rhi::Buffer hits_back;
         rhi::Ticket ticket = 0;
         Batch batch{};
         bool busy = false;
     };
 
-    explicit VulkanRenderer(GpuContext& context) : context_(context) {}
+    VulkanRenderer(GpuContext& context, const FlatScene& flat) : context_(context), flat_(flat) {}
     Result<void> make_slots();
     Result<void> make_targets();
+    Result<void> make_aovs(const RenderJob& job);
     Result<void> declare(Slot& slot);
+    void declare_hits(Slot& slot, graph::Pass& trace);
     void record_trace(rhi::Commands& commands, Slot& slot);
     Result<void> submit(Slot& slot, const Batch& batch);
     Result<void> finish(Slot& slot, RenderCounters& counters);
     void count(const Slot& slot, RenderCounters& counters);
 
     GpuContext& context_;
+    const FlatScene& flat_;
     std::unique_ptr<GpuScene> scene_;
     const PathTracingPass* pass_ = nullptr;
     std::array<Slot, 2> slots_;
@@ -66,6 +72,9 @@ class VulkanRenderer final : public Renderer {
     rhi::Image removed_;
     BatchSizer sizer_;
     std::vector<std::uint32_t> added_;  // samples per row of the film since the last sync
+    std::optional<GpuAovs> aovs_;
+    std::vector<std::uint32_t> surfaces_;  // for counting ids; empty: not asked for
+    std::vector<IdList> ids_;              // the film's, with what was hit since the last sync
 };
 
 }  // namespace hm

@@ -2,6 +2,7 @@
 #ifndef HM_GPU_TABLES_H
 #define HM_GPU_TABLES_H
 
+#include "shading/path/aov_planes.h"
 #include "shading/structs.h"
 
 HM_NAMESPACE_BEGIN
@@ -27,6 +28,20 @@ struct TraceRange {
     uint first_row;  // of the image; the launch says how many rows
     uint sample_begin;
     uint sample_end;
+    uvec2 hits;  // where the AOV build notes what samples hit; 0: not asked for
+};
+
+// What the AOV build of the path tracer reads and writes, by device address.
+struct AovAddresses {
+    uvec2 planes[kPlaneCount];  // of the film, 0 where it has not asked for one
+    uvec2 next_transforms;      // mat4x3, of instances
+    uvec2 next_positions;       // uvec2, of geometries: vec3 of vertices; 0 where they stay
+};
+
+// What one sample hit: instance kNone for nothing.
+struct SampleHit {
+    uint instance;
+    uint geometry;  // within the instance's mesh
 };
 
 // Launches count rays and faulty samples into this many rows, so that not all pixels meet at one.
@@ -63,7 +78,7 @@ HM_NAMESPACE_END
 #ifdef __cplusplus
 namespace hm {
 static_assert(sizeof(RecordedRay) == 32 && sizeof(BareRange) == 8);
-static_assert(sizeof(GeometryAddresses) == 24 && sizeof(TraceRange) == 20);
+static_assert(sizeof(GeometryAddresses) == 24 && sizeof(TraceRange) == 28);
 static_assert(sizeof(FrameData) ==
               sizeof(RenderParams) + sizeof(CameraData) + sizeof(EnvironmentData));
 }  // namespace hm

@@ -101,18 +101,15 @@ TEST(RendererParity, ShippedScenes) {
     EXPECT_TRUE(expect_file_parity(scenes / "hero.glb", read_sky(scenes / "hero_sky.hdr"), 1));
 }
 
-// Every scene file below a folder that is at most 200 kB, or with HIMALAYA_PARITY=all every one.
+// Every scene file below a folder.
 TEST(RendererParity, Assets) {
     const char* given = std::getenv("HIMALAYA_ASSETS");
     const fs::path assets = given != nullptr ? given : source_dir() / ".." / "shared" / "assets";
     if (!fs::is_directory(assets)) GTEST_SKIP() << "no folder " << assets;
-    const char* chosen = std::getenv("HIMALAYA_PARITY");
-    const bool all = chosen != nullptr && std::string(chosen) == "all";
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(assets)) {
         const fs::path extension = entry.path().extension();
-        if (extension != ".glb" && extension != ".gltf") continue;
-        if (all || entry.file_size() <= 200'000) files.push_back(entry.path());
+        if (extension == ".glb" || extension == ".gltf") files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     const Image sky = default_environment();

@@ -71,15 +71,19 @@ RenderJob make_job(const FlatScene& scene, const CameraData& camera) {
     return job;
 }
 
-Film draw(Renderer& renderer, const RenderJob& job, PixelRect crop) {
-    Film film(crop);
+void draw_into(Renderer& renderer, const RenderJob& job, Film& film) {
     RenderCounters counters;
     expect_ok(renderer.begin(job, film));
     expect_ok(renderer.render(0, kPictureSamples, counters, std::atomic<bool>(false)));
     expect_ok(renderer.sync());
-    EXPECT_EQ(counters.samples, std::uint64_t(crop.width()) * crop.height() * kPictureSamples);
+    EXPECT_EQ(counters.samples, film.sums.size() * kPictureSamples);
     EXPECT_GE(counters.rays, counters.samples);
     EXPECT_EQ(counters.non_finite, 0u);
+}
+
+Film draw(Renderer& renderer, const RenderJob& job, PixelRect crop) {
+    Film film(crop);
+    draw_into(renderer, job, film);
     return film;
 }
 

@@ -23,7 +23,8 @@ RenderJob make_job(const FlatScene& scene, const CameraData& camera);
 inline constexpr std::uint32_t kPictureSize = 64;
 inline constexpr std::uint32_t kPictureSamples = 16;
 
-// Samples 0 to kPictureSamples of the crop, in one go.
+// Samples 0 to kPictureSamples of the film's or the given crop, in one go.
+void draw_into(Renderer& renderer, const RenderJob& job, Film& film);
 Film draw(Renderer& renderer, const RenderJob& job, PixelRect crop);
 Film draw(Renderer& renderer, const RenderJob& job);
 

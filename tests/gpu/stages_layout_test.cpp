@@ -70,7 +70,8 @@ TEST(StagesLayout, TablesOfTheGpu) {
                          {"crop_y", offsetof(TraceRange, crop_y)},
                          {"first_row", offsetof(TraceRange, first_row)},
                          {"sample_begin", offsetof(TraceRange, sample_begin)},
-                         {"sample_end", offsetof(TraceRange, sample_end)}};
+                         {"sample_end", offsetof(TraceRange, sample_end)},
+                         {"hits", offsetof(TraceRange, hits)}};
     EXPECT_EQ(rays.at("TraceRange").offsets, range);
     EXPECT_EQ(rays.at("TraceCounters").array_stride, sizeof(TraceCounters));
 }

@@ -3,6 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "gpu/bindings.glsl"
 
+#include "gpu/passes/path_tracing/aovs.glsl"
+
 layout(location = 0) rayPayloadInEXT PathPayload path_payload;
 
 #include "shading/path/texture.h"

@@ -2,9 +2,13 @@
 
 #include <array>
 
+#include "shaders/anyhit_aovs.h"
 #include "shaders/anyhit_rahit.h"
+#include "shaders/closesthit_aovs.h"
 #include "shaders/closesthit_rchit.h"
+#include "shaders/miss_aovs.h"
 #include "shaders/miss_rmiss.h"
+#include "shaders/reference_view_aovs.h"
 #include "shaders/reference_view_record.h"
 #include "shaders/reference_view_reorder.h"
 #include "shaders/reference_view_rgen.h"
@@ -15,25 +19,52 @@
 namespace hm {
 namespace {
 
-// Set 3, by the shaders' numbers. 1 and 2 are the denoiser's auxiliary images.
+// Set 3, by the shaders' numbers. The denoiser's albedo and normal are AOV planes.
 constexpr std::uint32_t kAccumulation = 0;
 constexpr std::uint32_t kSobolDirections = 3;
 constexpr std::uint32_t kRemoved = 4;
 constexpr std::uint32_t kCounters = 5;
 constexpr std::uint32_t kRays = 6;
 constexpr std::uint32_t kRayCounts = 7;
+constexpr std::uint32_t kAovs = 8;
+constexpr std::uint32_t kSourceGroups = 9;
 
 // The payloads are contracts between the stages, and devices keep them in registers.
 static_assert(sizeof(PathPayload) == 116 && sizeof(ShadowPayload) == 8);
 
-constexpr std::array<rhi::Binding, 6> kTargets = {{
+constexpr std::array<rhi::Binding, 8> kTargets = {{
     {kAccumulation, rhi::DescriptorKind::storage_image},
     {kSobolDirections, rhi::DescriptorKind::storage_buffer},
     {kRemoved, rhi::DescriptorKind::storage_image},
     {kCounters, rhi::DescriptorKind::storage_buffer},
     {kRays, rhi::DescriptorKind::storage_buffer},
     {kRayCounts, rhi::DescriptorKind::storage_buffer},
+    {kAovs, rhi::DescriptorKind::storage_buffer},
+    {kSourceGroups, rhi::DescriptorKind::storage_buffer},
 }};
+
+rhi::RayTracingPipelineInfo stages_of(PathTracingVariant variant) {
+    rhi::RayTracingPipelineInfo info;
+    info.misses = {shaders::miss_rmiss(), shaders::shadow_miss_rmiss()};
+    info.hit_groups = {{shaders::closesthit_rchit(), shaders::anyhit_rahit()},
+                       {{}, shaders::shadow_anyhit()}};
+    if (variant.aovs) {
+        info.name = "path tracing, AOVs";
+        info.ray_generation = shaders::reference_view_aovs();
+        info.misses[0] = shaders::miss_aovs();
+        info.hit_groups[0] = {shaders::closesthit_aovs(), shaders::anyhit_aovs()};
+    } else if (variant.record) {
+        info.name = "path tracing, recorded";
+        info.ray_generation = shaders::reference_view_record();
+    } else if (variant.reorder) {
+        info.name = "path tracing, reordered";
+        info.ray_generation = shaders::reference_view_reorder();
+    } else {
+        info.name = "path tracing";
+        info.ray_generation = shaders::reference_view_rgen();
+    }
+    return info;
+}
 
 }  // namespace
 
@@ -47,17 +78,8 @@ Result<PathTracingPass> PathTracingPass::create(rhi::Device& device, const Scene
                                                        &pass.targets_};
     HM_TRY_ASSIGN(pass.layout_,
                   rhi::PipelineLayout::create(device, "path tracing", sets, sizeof(TraceRange)));
-    rhi::RayTracingPipelineInfo info;
-    info.name = variant.record    ? "path tracing, recorded"
-                : variant.reorder ? "path tracing, reordered"
-                                  : "path tracing";
+    rhi::RayTracingPipelineInfo info = stages_of(variant);
     info.layout = &pass.layout_;
-    info.ray_generation = variant.record    ? shaders::reference_view_record()
-                          : variant.reorder ? shaders::reference_view_reorder()
-                                            : shaders::reference_view_rgen();
-    info.misses = {shaders::miss_rmiss(), shaders::shadow_miss_rmiss()};
-    info.hit_groups = {{shaders::closesthit_rchit(), shaders::anyhit_rahit()},
-                       {{}, shaders::shadow_anyhit()}};
     HM_TRY_ASSIGN(pass.pipeline_, rhi::RayTracingPipeline::create(device, info, cache));
     return pass;
 }
@@ -72,6 +94,9 @@ void PathTracingPass::record(rhi::Commands& commands, const GpuScene& scene,
         .buffer(kCounters, targets.counters);
     if (targets.rays != nullptr)
         writes.buffer(kRays, *targets.rays).buffer(kRayCounts, *targets.ray_counts);
+    if (targets.aovs != nullptr)
+        writes.buffer(kAovs, targets.aovs->table())
+            .buffer(kSourceGroups, targets.aovs->source_groups());
     commands.bind(pipeline_);
     commands.bind_set(layout_, 0, scene.scene_set());
     commands.bind_set(layout_, 1, scene.texture_set());

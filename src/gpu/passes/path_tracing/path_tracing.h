@@ -2,6 +2,7 @@
 // shadow_miss.rmiss and anyhit.rahit over the stages of shading/path.
 #pragma once
 
+#include "gpu/aovs.h"
 #include "gpu/scene.h"
 #include "rhi/commands.h"
 #include "rhi/pipeline_cache.h"
@@ -15,6 +16,8 @@ struct PathTracingVariant {
     bool reorder = false;
     // The rays of the first sample are kept, for gpu/bench. Not with `reorder`.
     bool record = false;
+    // Samples also add to a film's AOV planes. Not with either of the others.
+    bool aovs = false;
     auto operator<=>(const PathTracingVariant&) const = default;
 };
 
@@ -26,6 +29,8 @@ struct PathTracingTargets {
     // For the variant that records: RecordedRay and RecordedCounts.
     const rhi::Buffer* rays = nullptr;
     const rhi::Buffer* ray_counts = nullptr;
+    // For the variant with AOVs.
+    const GpuAovs* aovs = nullptr;
 };
 
 class PathTracingPass {
