@@ -1,11 +1,13 @@
 // Rays and samples per second, and the error over samples of each sampler, as JSON.
 //
-//     render_bench [--errors] SCENE[:ENVIRONMENT] ...
+//     render_bench [--errors] [--aovs] SCENE[:ENVIRONMENT] ...
 //
 // SCENE is a glTF file; ENVIRONMENT a .hdr or .exr, "none", or absent for the default one. Rates
 // are per second of wall clock with all cores and, steadier on a busy machine, per processor
 // second. Errors are relative mean squared errors against 4096 samples of Owen-scrambled Sobol
-// under another seed, at 96 x 64, averaged over seeds.
+// under another seed, at 96 x 64, averaged over seeds. --aovs: processor
+// time with each AOV, and with all, as a ratio to none; the error with the variance AOV as a ratio
+// to that without.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,6 +24,7 @@
 #include "image/metrics.h"
 #include "image/read.h"
 #include "scene/camera.h"
+#include "scene/light_groups.h"
 #include "shading/tables/tables.h"
 
 namespace hm {
@@ -65,6 +68,7 @@ CameraData camera_of(const BenchScene& bench, float aspect) {
 
 struct Settings {
     std::uint32_t width, height, samples, seed, sampler;
+    AovSelection aovs{};
 };
 
 Film render(const BenchScene& bench, Renderer& renderer, const Settings& settings,
@@ -78,7 +82,7 @@ Film render(const BenchScene& bench, Renderer& renderer, const Settings& setting
     params.energy_compensation = 1;
     params.filter_width = 1;
     set_light_ranges(bench.flat, params);
-    Film film({0, 0, settings.width, settings.height});
+    Film film({0, 0, settings.width, settings.height}, settings.aovs);
     std::atomic<bool> cancel{false};
     const float aspect = float(settings.width) / float(settings.height);
     const RenderJob job{camera_of(bench, aspect), params, make_filter_table(PixelFilter::box)};
@@ -132,9 +136,59 @@ std::string measure_errors(const BenchScene& bench, CpuRenderer& renderer) {
     return json + "}";
 }
 
-Result<std::string> measure_scene(const std::string& argument, bool errors) {
+// The best of three turns, in each of which none goes first.
+std::string measure_aovs(const BenchScene& bench, Renderer& renderer,
+                         const std::vector<std::string>& light_groups) {
+    std::vector<std::pair<std::string, AovSelection>> choices = {{"none", {}}};
+    for (const AovInfo& info : all_aovs())
+        choices.push_back({std::string(info.name), {{info.aov}, {}, false}});
+    choices.push_back({"all", {*parse_aovs("all"), {}, false}});
+    std::vector<double> best(choices.size(), 1e30);
+    for (int turn = 0; turn < 3; ++turn)
+        for (std::size_t i = 0; i < choices.size(); ++i) {
+            RenderCounters counters;
+            AovSelection& aovs = choices[i].second;
+            if (aovs.has(Aov::light_groups)) aovs.light_groups = light_groups;
+            const double begin = processor_seconds();
+            render(bench, renderer, {320, 180, 16, 1, kSamplerSobolOwen, aovs}, counters);
+            best[i] = std::min(best[i], processor_seconds() - begin);
+        }
+    std::string json = "\"aov_time_ratio\": {";
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        json += fmt::format("{}\"{}\": {:.3f}", i == 0 ? "" : ", ", choices[i].first,
+                            best[i] / best[0]);
+    return json + "}";
+}
+
+// What dealing Sobol samples to replicates costs: the mean squared error with the variance AOV over
+// that without.
+std::string measure_replicates(const BenchScene& bench, Renderer& renderer) {
+    constexpr std::uint32_t width = 48, height = 32;
+    RenderCounters counters;
+    const Image reference =
+        render(bench, renderer, {width, height, 2048, 999, kSamplerSobolOwen}, counters).resolve();
+    const auto error = [&](const Settings& settings) {
+        return compare_images(render(bench, renderer, settings, counters).resolve(), reference).mse;
+    };
+    std::string json = "\"replicates_mse_ratio\": {";
+    for (const std::uint32_t samples : {16u, 64u, 256u}) {
+        double with = 0, without = 0;
+        for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+            Settings settings{width, height, samples, seed, kSamplerSobolOwen};
+            without += error(settings);
+            settings.aovs.aovs = {Aov::variance};
+            with += error(settings);
+        }
+        json += fmt::format("{}\"{}\": {:.3f}", samples == 16 ? "" : ", ", samples, with / without);
+    }
+    return json + "}";
+}
+
+Result<std::string> measure_scene(const std::string& argument, bool errors, bool aovs) {
     BenchScene bench;
     HM_TRY(load(bench, argument));
+    LightGroups groups = find_light_groups(bench.scene, bench.flat);
+    bench.flat.aovs.source_groups = groups.source_groups;
     CpuRenderer renderer(bench.flat, 0);
     std::string name = argument.substr(argument.find_last_of('/', argument.find(':')) + 1);
     std::string json = fmt::format(
@@ -143,6 +197,9 @@ Result<std::string> measure_scene(const std::string& argument, bool errors) {
         name, renderer.bvh_stats().triangles, renderer.bvh_stats().build_seconds,
         cpu_instruction_set(), measure_rates(bench, renderer));
     if (errors) json += ",\n     " + measure_errors(bench, renderer);
+    if (aovs)
+        json += ",\n     " + measure_aovs(bench, renderer, groups.names) + ",\n     " +
+                measure_replicates(bench, renderer);
     return json + "}";
 }
 
@@ -150,11 +207,13 @@ Result<std::string> measure_scene(const std::string& argument, bool errors) {
 }  // namespace hm
 
 int main(int argc, char** argv) {
-    bool errors = false;
+    bool errors = false, aovs = false;
     std::vector<std::string> scenes;
     for (int i = 1; i < argc; ++i) {
         if (std::strcmp(argv[i], "--errors") == 0)
             errors = true;
+        else if (std::strcmp(argv[i], "--aovs") == 0)
+            aovs = true;
         else
             scenes.emplace_back(argv[i]);
     }
@@ -162,7 +221,7 @@ int main(int argc, char** argv) {
         "{{\n  {},\n  \"size\": [640, 360], \"samples\": 16, \"bounces\": 8,\n  \"scenes\": [\n",
         hm::machine_json());
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        hm::Result<std::string> json = hm::measure_scene(scenes[i], errors);
+        hm::Result<std::string> json = hm::measure_scene(scenes[i], errors, aovs);
         if (!json) {
             fmt::print(stderr, "render_bench: {}\n", json.error().line());
             return int(json.error().code);

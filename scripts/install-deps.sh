@@ -14,7 +14,8 @@ packages="g++ cmake ninja-build ccache pkg-config git ca-certificates
 case $group in
 --build) ;;
 --test)
-    packages="$packages clang-format libgtest-dev libboost-dev vulkan-validationlayers"
+    packages="$packages clang-format libgtest-dev libboost-dev vulkan-validationlayers
+        openimageio-tools"
     # Node from elsewhere serves as well, and Debian's npm would conflict with it.
     command -v node >/dev/null || packages="$packages nodejs"
     command -v npm >/dev/null || packages="$packages npm"

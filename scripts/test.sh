@@ -20,6 +20,7 @@ scripts/install-deps.sh --test
 scripts/fetch-vma.sh
 if [ "$preset" = release ]; then
     scripts/fetch-lavapipe.sh
+    scripts/fetch-openexr-python.sh
     # npm checks the hash that the lock file gives.
     if ! cmp -s scripts/npm/package-lock.json build/npm/package-lock.json ||
         [ ! -f build/npm/node_modules/gltf-validator/package.json ]; then

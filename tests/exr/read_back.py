@@ -1,0 +1,153 @@
+"""Renders with the program and reads the files with two other readers: OpenEXR's Python package and
+OpenImageIO's oiiotool.
+
+    PYTHONPATH=build/openexr-python python3 tests/exr/read_back.py HIMALAYA FOLDER
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+import numpy as np
+import OpenEXR
+
+PASSES = ["emission", "diffuse_direct", "specular_direct", "diffuse_indirect", "specular_indirect"]
+WIDTH, HEIGHT, SAMPLES = 48, 32, 8
+LAYERS = {
+    "albedo": "RGB", "metallic": "Y", "roughness": "Y", "normal": "XYZ", "geometric_normal": "XYZ",
+    "depth": "Z", "position": "XYZ", "uv": "UV", "forward": "uv", "material_id": "Y",
+    "instance_id": "Y", "samples": "Y", "variance": "RGB", **{name: "RGB" for name in PASSES},
+}
+
+
+def render(program, path, *flags):
+    command = [program, "render", "demo:spheres", "-o", path, "--quiet", "--spp", SAMPLES,
+               "--size", f"{WIDTH}x{HEIGHT}", "--device", "cpu", *flags]
+    subprocess.run([str(c) for c in command], check=True)
+    return path
+
+
+def read(path):
+    file = OpenEXR.File(str(path), separate_channels=True)
+    return file.header(), {name: c.pixels for name, c in file.channels().items()}
+
+
+def color(channels, layer):
+    prefix = layer + "." if layer else ""
+    return np.stack([channels[prefix + c].astype(np.float64) for c in "RGB"], axis=-1)
+
+
+def check_names(path, channels):
+    expected = {f"{layer}.{c}" for layer, letters in LAYERS.items() for c in letters}
+    expected |= set("RGBA")
+    others = {name for name in channels if not re.match(r"Crypto|light_group_", name)}
+    assert others == expected, others ^ expected
+    info = subprocess.run(["oiiotool", "--info", "-v", str(path)], check=True, capture_output=True,
+                          text=True).stdout
+    listed = re.search(r"channel list: (.*)", info).group(1).split(", ")
+    assert {name.split(" ")[0] for name in listed} == set(channels), listed
+
+
+def check_sums(channels):
+    beauty = color(channels, "")
+    groups = sorted({name.rsplit(".", 1)[0] for name in channels if name.startswith("light_group_")})
+    assert "light_group_environment" in groups and len(groups) > 1, groups
+    # As tests/render/aovs_test.cpp derives: samples * (2 * 8 bounces + 7) roundings.
+    tolerance = 2.0**-24 * SAMPLES * 23 * beauty + 1e-12
+    for parts in PASSES, groups:
+        total = sum(color(channels, part) for part in parts)
+        assert (abs(total - beauty) <= tolerance).all(), abs(total - beauty).max()
+
+
+def check_cryptomatte(header, channels, name):
+    keys = {header[k]: k[:-len("name")] for k in header if re.fullmatch(r"cryptomatte/\w{7}/name", k)}
+    key = keys[name]
+    assert header[key + "hash"] == "MurmurHash3_32"
+    assert header[key + "conversion"] == "uint32_to_float32"
+    manifest = {int(id, 16): name for name, id in json.loads(header[key + "manifest"]).items()}
+    coverage = np.zeros((HEIGHT, WIDTH))
+    seen = set()
+    layers = sorted({c.split(".")[0] for c in channels if re.match(name + r"\d\d\.", c)})
+    assert len(layers) >= 3, layers
+    previous = np.ones((HEIGHT, WIDTH), np.float32)
+    for layer in layers:
+        for id, share in ("R", "G"), ("B", "A"):
+            shares = channels[f"{layer}.{share}"]
+            assert (shares <= previous).all(), "ranks fall"
+            previous = shares
+            coverage += shares
+            seen |= set(channels[f"{layer}.{id}"].view(np.uint32)[shares > 0].tolist())
+    assert len(seen) > 3 or name == "CryptoAsset", seen
+    assert all(id in manifest for id in seen), seen - set(manifest)
+    assert np.allclose(coverage, channels["A"], atol=1e-6), abs(coverage - channels["A"]).max()
+
+
+def check_other_reader(path, channels):
+    """oiiotool's means of each channel against numpy's."""
+    for name in ["R", "albedo.G", "normal.Z", "samples.Y", "position.X"]:
+        text = subprocess.run(["oiiotool", str(path), "--ch", name, "--stats"], check=True,
+                              capture_output=True, text=True).stdout
+        mean = float(re.search(r"Stats Avg: ([-\d.e+]+)", text).group(1))
+        assert abs(mean - channels[name].mean(dtype=np.float64)) < 1e-4 * max(1, abs(mean)), name
+
+
+def check_metadata(header):
+    for key in ["software", "settings", "sceneHash", "camera", "samplesPerPixel", "seed", "device",
+                "renderSeconds", "estimatedError", "varianceFrom", "clamp", "clampRemovedShare"]:
+        assert header[key], key
+    assert header["varianceFrom"] == "4 replicates"
+    assert float(header["clampRemovedShare"]) > 0
+
+
+def check_storage(program, folder, whole):
+    """Halves, tiles, compression and a crop: the same values from the same pixels."""
+    path = render(program, folder / "crop.exr", "--crop", "10,5,30,25", "--aov", "albedo,depth",
+                  "--exr-half", "albedo", "--exr-tiles", "16", "--exr-compression", "piz",
+                  "--background", "transparent")
+    header, channels = read(path)
+    low, high = header["dataWindow"]
+    assert (list(low), list(high)) == ([10, 5], [29, 24]), (low, high)
+    assert list(header["displayWindow"][1]) == [WIDTH - 1, HEIGHT - 1]
+    assert channels["albedo.R"].dtype == np.float16 and channels["depth.Z"].dtype == np.float32
+    assert channels["R"].dtype == np.float32
+    path = render(program, folder / "plain.exr", "--aov", "albedo,depth", "--background",
+                  "transparent")
+    _, plain = read(path)
+    inside = slice(5, 25), slice(10, 30)
+    assert (plain["depth.Z"][inside] == channels["depth.Z"]).all()
+    assert (plain["R"][inside] == channels["R"]).all()
+    assert (plain["albedo.R"][inside].astype(np.float16) == channels["albedo.R"]).all()
+    info = subprocess.run(["oiiotool", "--info", "-v", str(folder / "crop.exr")], check=True,
+                          capture_output=True, text=True).stdout
+    assert "tile size: 16 x 16" in info and 'compression: "piz"' in info, info
+
+
+def check_refusals(program, folder):
+    for flags, told in [(["--aov", "colour"], "none of albedo, metallic"),
+                        (["--exr-half", "depth"], "none of the layers"),
+                        (["--aov", "crypto_object", "--exr-compression", "dwaa"], "crypto_object"),
+                        (["--exr-compression", "lzw"], "none of none, rle")]:
+        run = subprocess.run([program, "render", "demo:spheres", "-o", str(folder / "x.exr"), *flags],
+                             capture_output=True, text=True)
+        assert run.returncode == 2 and told in run.stderr, (flags, run.returncode, run.stderr)
+
+
+def main(program, folder):
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    path = render(program, folder / "all.exr", "--aov", "all", "--background", "transparent",
+                  "--clamp", "0.5")
+    header, channels = read(path)
+    check_names(path, channels)
+    check_sums(channels)
+    for name in "CryptoObject", "CryptoMaterial", "CryptoAsset":
+        check_cryptomatte(header, channels, name)
+    check_other_reader(path, channels)
+    check_metadata(header)
+    check_storage(program, folder, channels)
+    check_refusals(program, folder)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
