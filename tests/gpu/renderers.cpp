@@ -3,42 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
-#include <stdexcept>
+#include <memory>
 
-#include "rhi/instance.h"
-#include "rhi/physical_device.h"
+#include "rhi/test_device.h"
 #include "shading/tables/tables.h"
 
 namespace hm::test {
 
+using rhi::test::expect_ok;
+using rhi::test::value_of;
+
 namespace {
 
-template <class T>
-T value_of(Result<T> result) {
-    if (!result) throw std::runtime_error(result.error().line());
-    return std::move(*result);
-}
-
-void expect_ok(const Result<void>& result) {
-    EXPECT_TRUE(result) << result.error().line();
-}
-
-rhi::PhysicalDevice choose_device(const rhi::Instance& instance) {
-    const auto devices = value_of(instance.devices());
-    const char* wanted = std::getenv("HIMALAYA_TEST_DEVICE");
-    if (wanted != nullptr)
-        return value_of(rhi::choose_index(devices, static_cast<std::uint32_t>(std::atoi(wanted))));
-    const auto best = rhi::choose_best(devices);
-    return best ? *best : value_of(rhi::choose_index(devices, 0));
-}
-
 std::unique_ptr<GpuContext> make_context() {
-    rhi::InstanceOptions options;
-    const char* wanted = std::getenv("HIMALAYA_VALIDATION");
-    options.validation = wanted == nullptr || std::string(wanted) != "0";
-    const auto instance = value_of(rhi::Instance::create(options));
-    const rhi::PhysicalDevice physical = choose_device(*instance);
+    const std::shared_ptr<rhi::Instance> instance = rhi::test::make_instance();
+    const rhi::PhysicalDevice physical = rhi::test::any_device(*instance);
     std::printf("on %s, %s\n", physical.name.c_str(), physical.driver.c_str());
     Diagnostics diagnostics;
     return value_of(
