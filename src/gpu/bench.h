@@ -1,29 +1,12 @@
 // How fast a device traces: whole paths, and the bare rays that they consist of.
 #pragma once
 
-#include <cstdint>
-
 #include "film/renderer.h"
 #include "gpu/context.h"
 #include "gpu/scene.h"
+#include "gpu/trace_rates.h"
 
 namespace hm {
-
-// Of one sample of each pixel of a picture. Times are the device's own, the median of the repeats.
-struct TraceRates {
-    std::uint64_t closest_rays = 0;
-    std::uint64_t shadow_rays = 0;
-    double path_ms = 0;  // tracing the paths as a picture does
-    // traceRay of the same rays, recorded before, with a hit shader that does nothing and all
-    // geometry opaque: by one invocation per ray, and by one per pixel, which loops over its rays
-    // as the path tracer does.
-    double bare_ms = 0;
-    double bare_closest_ms = 0;  // one invocation per ray, of that kind alone
-    double bare_shadow_ms = 0;
-    double bare_loop_ms = 0;
-
-    std::uint64_t rays() const { return closest_rays + shadow_rays; }
-};
 
 // The picture is job.params' width by height, its paths at most 32 events long. Takes 64 bytes of
 // device memory per pixel and event.

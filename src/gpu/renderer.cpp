@@ -69,6 +69,7 @@ RendererReport VulkanRenderer::report() const {
             .variant = device.driver,
             .upload_seconds = s.upload_seconds,
             .build_seconds = s.build_seconds,
+            .trace_seconds = trace_seconds_,
             .structure_bytes = s.structure_bytes,
             .device_bytes = context_.device().memory_use().used_bytes,
             .structure = {{"triangles", s.triangles},
@@ -222,6 +223,7 @@ Result<void> VulkanRenderer::finish(Slot& slot, RenderCounters& counters) {
     slot.busy = false;
     HM_TRY_ASSIGN(const std::vector<double> times, slot.timestamps.milliseconds(2));
     sizer_.learn(slot.batch, times[1]);
+    trace_seconds_ += times[1] * 1e-3;
     const std::uint32_t samples = slot.batch.sample_end - slot.batch.sample_begin;
     for (std::uint32_t row = 0; row < slot.batch.rows; ++row)
         added_[slot.batch.first_row + row] += samples;

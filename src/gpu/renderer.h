@@ -66,6 +66,8 @@ class VulkanRenderer final : public Renderer {
     rhi::Buffer counters_;
     TraceCounters counted_{};  // what `counters_` had come to, modulo 2^32
 
+    double trace_seconds_ = 0;
+
     Film* film_ = nullptr;
     bool clamps_ = false;
     rhi::Image accumulation_;

@@ -3,12 +3,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "app/cli/options.h"
 #include "app/cli/values.h"
 #include "film/renderer.h"
+#include "gpu/trace_rates.h"
 #include "scene/flatten.h"
 
 namespace hm::cli {
@@ -22,6 +24,13 @@ class Device {
     virtual std::string name() const = 0;  // for people: "NVIDIA H200 (Vulkan)"
     // Puts the scene there. Neither the device nor the scene may go before the renderer.
     virtual Result<std::unique_ptr<Renderer>> load(const FlatScene& scene) = 0;
+    // What one sample of each pixel takes by the device's clock, beside the same rays traced by
+    // empty shaders; nothing where the device has no such thing.
+    virtual Result<std::optional<TraceRates>> trace_rates(const FlatScene& scene,
+                                                          const RenderJob& job) {
+        (void)scene, (void)job;
+        return std::optional<TraceRates>();
+    }
 };
 
 std::unique_ptr<Device> cpu_device(unsigned threads);

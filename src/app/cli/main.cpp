@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 
+#include "app/cli/bench.h"
 #include "app/cli/compare.h"
 #include "app/cli/denoise.h"
 #include "app/cli/doctor/doctor.h"
@@ -24,6 +25,7 @@ Result<ExitCode> run(int count, const char* const* arguments) {
     if (line.render) return cli::render(*line.render);
     if (line.info) return cli::info(*line.info);
     if (line.doctor) return cli::doctor(*line.doctor);
+    if (line.bench) return cli::bench(*line.bench);
     if (line.compare) return cli::compare(*line.compare);
     if (line.denoise) return cli::denoise(*line.denoise);
     HM_TRY(cli::print(line.text));

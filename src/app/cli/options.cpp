@@ -13,6 +13,7 @@
 #include "app/cli/help.h"
 #include "app/cli/load_flags.h"
 #include "app/cli/render_flags.h"
+#include "app/cli/values.h"
 
 namespace hm::cli {
 namespace {
@@ -62,6 +63,22 @@ void add_doctor_flags(CLI::App& app, DoctorOptions& options) {
         "none.");
 }
 
+void add_bench_flags(CLI::App& app, BenchOptions& options) {
+    app.add_option("FILE", options.inputs, "Scenes: files, or demo:NAME")->required();
+    add_device_flag(app, options.device);
+    const auto size = [&options](const std::string& text) {
+        const Parsed<Size> parsed = parse_size(text);
+        if (!parsed) throw CLI::ValidationError("--size", parsed.error());
+        options.width = parsed->width;
+        options.height = parsed->height;
+    };
+    app.add_option_function<std::string>("--size", size, "The pictures' pixels (1920x1080)")
+        ->type_name("WxH");
+    app.footer(
+        "Prints JSON: rates, and on a GPU beside them the bare rate: the same rays traced by empty "
+        "shaders. Units are in the names; bytes and counts are plain.");
+}
+
 Result<std::filesystem::path> scene_file_of(const std::string& input) {
     if (!input.starts_with(kDemoPrefix)) return std::filesystem::path(input);
     HM_TRY_ASSIGN(const Demo demo, find_demo(std::string_view(input).substr(kDemoPrefix.size())));
@@ -85,6 +102,9 @@ CommandLine parse(const Arguments& arguments) {
     CLI::App& doctor =
         *app.add_subcommand("doctor", "Examine this machine's devices and draw on each");
     add_doctor_flags(doctor, doctor_options);
+    BenchOptions bench_options;
+    CLI::App& bench = *app.add_subcommand("bench", "Measure how fast a device draws scenes");
+    add_bench_flags(bench, bench_options);
     CompareOptions compare_options;
     CLI::App& compare = *app.add_subcommand("compare", "Tell how far two pictures are apart");
     add_compare_flags(compare, compare_options);
@@ -106,6 +126,10 @@ CommandLine parse(const Arguments& arguments) {
     }
     if (doctor.parsed()) {
         line.doctor = doctor_options;
+        return line;
+    }
+    if (bench.parsed()) {
+        line.bench = std::move(bench_options);
         return line;
     }
     if (denoise.parsed()) {
@@ -146,6 +170,14 @@ Result<CommandLine> parse_with_demo(const Arguments& arguments, const RenderOpti
     }
 }
 
+// Throws what CLI11 throws.
+Result<CommandLine> parse_render(const Arguments& arguments, CommandLine line) {
+    if (line.render->input.starts_with(kDemoPrefix))
+        return parse_with_demo(arguments, *line.render);
+    line.render->scene_file = line.render->input;
+    return line;
+}
+
 }  // namespace
 
 Result<CommandLine> parse_command_line(int count, const char* const* arguments) {
@@ -157,16 +189,19 @@ Result<CommandLine> parse_command_line(int count, const char* const* arguments) 
             HM_TRY_ASSIGN(line.info->scene_file, scene_file_of(line.info->input));
         }
         if (!line.render) return line;
-        if (line.render->input.starts_with(kDemoPrefix)) {
-            HM_TRY_ASSIGN(line, parse_with_demo(list, *line.render));
-        } else {
-            line.render->scene_file = line.render->input;
-        }
+        HM_TRY_ASSIGN(line, parse_render(list, std::move(line)));
         if (line.render) HM_TRY(check_render_options(*line.render));
         return line;
     } catch (const CLI::ParseError& error) {
         return fail(ExitCode::usage, "", "", error.what());
     }
+}
+
+Result<RenderOptions> default_render_options(const std::string& input) {
+    const Arguments list = {"render", "--output=none.exr", "--", input};
+    HM_TRY_ASSIGN(CommandLine line, parse_render(list, parse(list)));
+    line.render->outputs.clear();
+    return std::move(*line.render);
 }
 
 }  // namespace hm::cli

@@ -109,10 +109,17 @@ struct DoctorOptions {
     bool json = false;
 };
 
+struct BenchOptions {
+    std::vector<std::string> inputs;  // paths or demo:NAME
+    std::uint32_t width = 1920, height = 1080;
+    DeviceFlag device;
+};
+
 struct CommandLine {
     std::optional<RenderOptions> render;
     std::optional<InfoOptions> info;
     std::optional<DoctorOptions> doctor;
+    std::optional<BenchOptions> bench;
     std::optional<CompareOptions> compare;
     std::optional<DenoiseOptions> denoise;
     std::string text;  // help or version, to be printed instead
@@ -120,5 +127,8 @@ struct CommandLine {
 
 // Fails with ExitCode::usage, or with a demo's own error.
 Result<CommandLine> parse_command_line(int count, const char* const* arguments);
+
+// As `himalaya render` has them without flags, a demo's own included; no output.
+Result<RenderOptions> default_render_options(const std::string& input);
 
 }  // namespace hm::cli

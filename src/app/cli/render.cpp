@@ -154,8 +154,10 @@ Result<ExitCode> render(const RenderOptions& options) {
     Progress progress(options.quiet);
     Diagnostics diagnostics;
     HM_TRY_ASSIGN(std::unique_ptr<Device> device,
-                  choose_device(options.device, options.threads, open_vulkan_device,
-                                [&](std::string_view line) { progress.note(line); }));
+                  choose_device(
+                      options.device, options.threads,
+                      [&](const auto& index) { return open_vulkan_device(index, diagnostics); },
+                      [&](std::string_view line) { progress.note(line); }));
     const Clock::time_point start = Clock::now();
     HM_TRY_ASSIGN(Scene scene, load_gltf(options.scene_file, diagnostics, options.load));
     Shared shared{std::move(device), std::move(scene), seconds_since(start)};

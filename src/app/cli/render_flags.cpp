@@ -98,9 +98,7 @@ void add_sampling(CLI::App& app, RenderOptions& o) {
         "The filter's full width in pixels (box 1, gaussian 2, blackman-harris 3)");
     add(app, "--threads", "N", o.threads, integer(0, 1024),
         "Threads; 0: all cores (the default). The picture is the same for any number");
-    add(app, "--device", "NAME", o.device, parse_device,
-        "What draws: cpu, vulkan (the best GPU), vulkan:N (the device that `himalaya doctor` lists "
-        "as N), or auto (the default): the best GPU, the CPU where there is none");
+    add_device_flag(app, o.device);
 }
 
 void add_view(CLI::App& app, ViewOptions& v) {
@@ -202,6 +200,12 @@ void add_group(CLI::App& app, const std::string& heading, Add add_all, Options& 
 }
 
 }  // namespace
+
+void add_device_flag(CLI::App& app, DeviceFlag& device) {
+    add(app, "--device", "NAME", device, parse_device,
+        "What draws: cpu, vulkan (the best GPU), vulkan:N (the device that `himalaya doctor` lists "
+        "as N), or auto (the default): the best GPU, the CPU where there is none");
+}
 
 void add_render_flags(CLI::App& app, RenderOptions& options) {
     add_group(app, "Files", add_files, options);

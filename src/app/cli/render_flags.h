@@ -10,6 +10,8 @@ namespace hm::cli {
 // Both must outlive the parsing; flags throw CLI::ParseError.
 void add_render_flags(CLI::App& app, RenderOptions& options);
 
+void add_device_flag(CLI::App& app, DeviceFlag& device);
+
 // What no single flag can tell. Fails with ExitCode::usage or, for outputs, unwritable.
 Result<void> check_render_options(const RenderOptions& options);
 

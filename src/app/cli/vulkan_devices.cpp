@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/cli/drivers.h"
+#include "gpu/bench.h"
 #include "gpu/context.h"
 #include "gpu/renderer.h"
 #include "rhi/device.h"
@@ -22,6 +23,13 @@ class GpuDevice final : public Device {
     Result<std::unique_ptr<Renderer>> load(const FlatScene& scene) override {
         HM_TRY_ASSIGN(std::unique_ptr<Renderer> renderer, VulkanRenderer::create(*context_, scene));
         return renderer;
+    }
+    Result<std::optional<TraceRates>> trace_rates(const FlatScene& flat,
+                                                  const RenderJob& job) override {
+        constexpr std::uint32_t kRepeats = 9;
+        HM_TRY_ASSIGN(const std::unique_ptr<GpuScene> scene,
+                      GpuScene::create(context_->device(), context_->layouts(), flat));
+        return measure_tracing(*context_, *scene, job, {}, kRepeats);
     }
 
   private:
@@ -59,14 +67,14 @@ Result<std::vector<VulkanDevice>> list_vulkan_devices() {
     return devices;
 }
 
-Result<std::unique_ptr<Device>> open_vulkan_device(std::optional<std::uint32_t> index) {
+Result<std::unique_ptr<Device>> open_vulkan_device(std::optional<std::uint32_t> index,
+                                                   Diagnostics& diagnostics) {
     HM_TRY_ASSIGN(std::shared_ptr<rhi::Instance> instance, make_instance());
     HM_TRY_ASSIGN(const std::vector<rhi::PhysicalDevice> all, instance->devices());
     HM_TRY_ASSIGN(const rhi::PhysicalDevice physical,
                   index ? rhi::choose_index(all, *index) : rhi::choose_best(all));
     HM_TRY_ASSIGN(std::unique_ptr<rhi::Device> device,
                   rhi::Device::create(std::move(instance), physical));
-    Diagnostics diagnostics;
     HM_TRY_ASSIGN(std::unique_ptr<GpuContext> context,
                   GpuContext::create(std::move(device), rhi::default_cache_folder(), diagnostics));
     return std::make_unique<GpuDevice>(std::move(context));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/cli/devices.h"
+#include "base/diagnostics.h"
 #include "rhi/capabilities.h"
 
 namespace hm::cli {
@@ -28,6 +29,7 @@ struct VulkanDevice {
 Result<std::vector<VulkanDevice>> list_vulkan_devices();
 
 // The best GPU, or the device of this index, which may be software.
-Result<std::unique_ptr<Device>> open_vulkan_device(std::optional<std::uint32_t> index);
+Result<std::unique_ptr<Device>> open_vulkan_device(std::optional<std::uint32_t> index,
+                                                   Diagnostics& diagnostics);
 
 }  // namespace hm::cli

@@ -20,7 +20,7 @@ Result<std::vector<VulkanDevice>> list_vulkan_devices() {
     return left_out();
 }
 
-Result<std::unique_ptr<Device>> open_vulkan_device(std::optional<std::uint32_t>) {
+Result<std::unique_ptr<Device>> open_vulkan_device(std::optional<std::uint32_t>, Diagnostics&) {
     return left_out();
 }
 

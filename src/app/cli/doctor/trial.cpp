@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "app/cli/demo.h"
+#include "app/cli/prepared_scene.h"
 #include "app/cli/progress.h"
-#include "app/cli/setup.h"
 #include "base/check.h"
-#include "gltf/load.h"
 #include "shading/color.h"
 #include "shading/math.h"
 
@@ -33,32 +32,18 @@ bool is_close(vec3 a, vec3 b) {
     return true;
 }
 
-// All that a trial needs of the scene; `flat` points into `scene`.
-struct TrialScene {
-    Scene scene;
-    FlatScene flat;
-    RenderJob job;
-};
-
-Result<std::unique_ptr<TrialScene>> load_trial_scene() {
+Result<std::unique_ptr<PreparedScene>> load_trial_scene() {
     HM_TRY_ASSIGN(const Demo demo, find_demo("cornell"));
     RenderOptions options;
     options.scene_file = demo.scene;
     options.env = "none";
     options.width = options.height = kTrialSize;
-    auto trial = std::make_unique<TrialScene>();
     Diagnostics diagnostics;
-    HM_TRY_ASSIGN(trial->scene, load_gltf(options.scene_file, diagnostics));
-    HM_TRY_ASSIGN(EnvironmentChoice environment, choose_environment(options, trial->scene));
-    trial->flat = flatten(trial->scene, std::move(environment.map), {}, diagnostics);
-    HM_TRY_ASSIGN(const CameraChoice camera,
-                  choose_camera(options.view, trial->scene, trial->flat.bounds, 1.0f));
-    trial->job = {camera.data, make_params(options, trial->flat),
-                  make_filter_table(options.filter)};
-    return trial;
+    return prepare_scene(options, diagnostics);
 }
 
-Result<void> draw(const Contender& contender, const TrialScene& scene, Film& film, Trial& trial) {
+Result<void> draw(const Contender& contender, const PreparedScene& scene, Film& film,
+                  Trial& trial) {
     Clock::time_point start = Clock::now();
     HM_TRY_ASSIGN(const std::unique_ptr<Device> device, contender.open());
     HM_TRY_ASSIGN(const std::unique_ptr<Renderer> renderer, device->load(scene.flat));
@@ -101,7 +86,7 @@ Parity compare_films(const Film& film, const Film& reference) {
 
 Result<std::vector<Trial>> run_trials(const std::vector<Contender>& contenders,
                                       const std::function<void(std::string_view)>& begun) {
-    HM_TRY_ASSIGN(const std::unique_ptr<TrialScene> scene, load_trial_scene());
+    HM_TRY_ASSIGN(const std::unique_ptr<PreparedScene> scene, load_trial_scene());
     const PixelRect all{0, 0, kTrialSize, kTrialSize};
     std::optional<Film> reference;
     std::vector<Trial> trials;

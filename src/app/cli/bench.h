@@ -1,0 +1,10 @@
+// `himalaya bench`: how fast a device draws scenes, as JSON.
+#pragma once
+
+#include "app/cli/options.h"
+
+namespace hm::cli {
+
+Result<ExitCode> bench(const BenchOptions& options);
+
+}  // namespace hm::cli
