@@ -37,7 +37,7 @@ struct RendererReport {
     std::string variant;                // the instruction set, or the driver and its version
     double upload_seconds = 0;          // copying the scene to the device
     double build_seconds = 0;           // the acceleration structure
-    double trace_seconds = 0;           // drawing, by the device\'s own clock; 0 where it has none
+    double trace_seconds = 0;           // drawing, by the device's own clock; 0 where it has none
     std::uint64_t structure_bytes = 0;  // of the acceleration structure
     std::uint64_t device_bytes = 0;     // all that the scene and the film take there
     // What the acceleration structure consists of, by name: {"triangles", 32}.
