@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -54,6 +55,8 @@ class Cursor {
         return text;
     }
 
+    bool at_end() const { return rest_.empty(); }
+
   private:
     Bytes rest_;
 };
@@ -67,6 +70,80 @@ struct Claims {
 tl::unexpected<Error> refuse(std::string_view name, std::string message,
                              ExitCode code = ExitCode::invalid) {
     return fail(code, std::string(name), "", "EXR: " + std::move(message));
+}
+
+struct SizedType {
+    std::string_view name;
+    std::size_t bytes;
+};
+constexpr std::array<SizedType, 24> kSizedTypes{{
+    {"box2f", 16},
+    {"box2i", 16},
+    {"chromaticities", 32},
+    {"compression", 1},
+    {"deepImageState", 1},
+    {"double", 8},
+    {"envmap", 1},
+    {"float", 4},
+    {"int", 4},
+    {"keycode", 28},
+    {"lineOrder", 1},
+    {"m33d", 72},
+    {"m33f", 36},
+    {"m44d", 128},
+    {"m44f", 64},
+    {"rational", 8},
+    {"tiledesc", 9},
+    {"timecode", 8},
+    {"v2d", 16},
+    {"v2f", 8},
+    {"v2i", 8},
+    {"v3d", 24},
+    {"v3f", 12},
+    {"v3i", 12},
+}};
+
+// Names, each with 16 bytes behind it, ended by an empty one.
+bool is_channel_list(Bytes value) {
+    Cursor cursor(value);
+    for (;;) {
+        const auto channel = cursor.word();
+        if (!channel) return false;
+        if (channel->empty()) return cursor.at_end();
+        if (!cursor.take(16)) return false;
+    }
+}
+
+// Width, height and a picture of 4 bytes per pixel.
+bool is_preview(Bytes value) {
+    Cursor cursor(value);
+    const auto width = cursor.number();
+    const auto height = cursor.number();
+    return width && height && (std::uint64_t{*width} * *height) == (value.size() - 8) / 4 &&
+           value.size() % 4 == 0;
+}
+
+// Texts, each behind its length.
+bool is_list_of_texts(Bytes value) {
+    Cursor cursor(value);
+    while (!cursor.at_end()) {
+        const auto length = cursor.number();
+        if (!length || !cursor.take(*length)) return false;
+    }
+    return true;
+}
+
+// Of the types that it knows, OpenEXR reads as many bytes as they have, whatever size the file
+// gives. Where the two differ it would go on elsewhere than this check does, and see another
+// header.
+bool has_right_size(std::string_view type, Bytes value) {
+    if (type == "chlist") return is_channel_list(value);
+    if (type == "preview") return is_preview(value);
+    if (type == "stringvector") return is_list_of_texts(value);
+    if (type == "floatvector") return value.size() % 4 == 0;
+    const auto* const known = std::find_if(kSizedTypes.begin(), kSizedTypes.end(),
+                                           [&](const SizedType& t) { return t.name == type; });
+    return known == kSizedTypes.end() || known->bytes == value.size();
 }
 
 void note_attribute(std::string_view attribute, std::string_view type, Bytes value,
@@ -107,6 +184,9 @@ Result<void> check_exr_header(Bytes bytes, std::string_view name) {
         const auto value = size ? cursor.take(*size) : std::nullopt;
         if (!type || !value)
             return refuse(name, fmt::format("attribute \"{}\" ends past the file", *attribute));
+        if (!has_right_size(*type, *value))
+            return refuse(name, fmt::format("attribute \"{}\" of type \"{}\" has {} bytes",
+                                            *attribute, *type, value->size()));
         note_attribute(*attribute, *type, *value, claims);
     }
 

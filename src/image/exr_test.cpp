@@ -16,6 +16,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string_view>
 
 #include "image/test_images.h"
 #include "image/write.h"
@@ -236,6 +238,28 @@ TEST(Exr, HeaderThatLiesIsRefused) {
     expect_refusal(tiles, {65536, 1}, "too large");
     expect_refusal(channels - 4, {2147483647}, "past the file");
     expect_refusal(channels - 4, {-1}, "past the file");
+    // The library would read all 16 bytes of the box, or the channels up to their end, and take
+    // what follows for other attributes than the ones that were checked.
+    expect_refusal(window - 4, {6}, "has 6 bytes");
+    expect_refusal(value_of("displayWindow", "box2i") - 4, {17}, "has 17 bytes");
+    expect_refusal(channels - 4, {18}, "has 18 bytes");
+    expect_refusal(value_of("lineOrder", "lineOrder") - 4, {4}, "has 4 bytes");
+}
+
+// What fuzzing found: a displayWindow that claims 6 bytes hid attributes from the check, one of
+// them of 1.8 GB, which the library took memory for.
+TEST(Exr, AttributesBehindAShortBoxAreNotRead) {
+    using std::literals::operator""sv;
+    constexpr std::string_view kFile =
+        "v/1\1\2\2\0\0"
+        "channels\0chlist\0\x13\0\0\0Y\0\1\0\0\0\0\0\0\0\1\0\0\0\1\0\0\0\0"
+        "dataWindow\0box2i\0\x10\0\0\0"
+        "\0\0\0\0\0\0\0\0\0\b\0\0\0\4\0\0"
+        "displayWindow\0box2i\0\6\0\0\0"
+        "\x10\0\0\0\0\0\0\0\0\0\0\0\0\b\0\0\0\4\0\0lineOrder\0"sv;
+    const auto image = read_image(std::as_bytes(std::span(kFile)), "short");
+    ASSERT_FALSE(image);
+    EXPECT_NE(image.error().message.find("has 6 bytes"), std::string::npos) << image.error().line();
 }
 
 }  // namespace
