@@ -269,7 +269,7 @@ void choose_exposures(const Planes& reference, HdrFlip& result) {
     const double median = double(*middle);
     const double brightest = double(*std::max_element(middle, luminances.end()));
     // Keeps the exposures of a black reference finite: the step from 1 to the next float.
-    constexpr double kFloor = std::numeric_limits<float>::epsilon();
+    constexpr double kFloor = double(std::numeric_limits<float>::epsilon());
     const double level = aces_inverse(kNearlySaturated);
     result.start_exposure = std::log2(level / std::max(brightest, kFloor));
     result.stop_exposure = std::log2(level / std::max(median, kFloor));
