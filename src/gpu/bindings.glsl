@@ -10,10 +10,27 @@
 #include "shading/shading.h"
 
 layout(scalar, set = 0, binding = 0) uniform Frame_ {
-    RenderParams params;
+    RenderParams frame_params;
     CameraData camera;
     EnvironmentData environment;
 };
+
+RenderParams params;
+
+// The first thing that every stage does. In the build HM_USUAL the settings that nearly all pictures
+// have are constants, and what serves others falls away: about a tenth faster on an H100.
+// gpu/renderer.cpp chooses it (is_usual).
+void load_params() {
+    params = frame_params;
+#ifdef HM_USUAL
+    params.sampler_kind = kSamplerSobolOwen;
+    params.max_radiance = 0.0f;
+    params.strategy = kStrategyMis;
+    params.energy_compensation = 1u;
+    params.diffuse_kind = kDiffuseLambert;
+    params.background = kBackgroundEnvironment;
+#endif
+}
 layout(scalar, set = 0, binding = 1) readonly buffer Lights { LightData lights[]; };
 layout(scalar, set = 0, binding = 2) readonly buffer Materials { MaterialData materials[]; };
 layout(scalar, set = 0, binding = 3) readonly buffer Instances { InstanceData instances[]; };
@@ -37,7 +54,6 @@ layout(scalar, set = 0, binding = 14) readonly buffer BlueNoise { uint blue_nois
 layout(scalar, set = 0, binding = 15) readonly buffer AlbedoTable { vec2 albedo_table[]; };
 layout(scalar, set = 0, binding = 16) readonly buffer AlbedoAverage { vec2 albedo_average[]; };
 layout(scalar, set = 0, binding = 17) readonly buffer FilterTable { float filter_table[]; };
-layout(scalar, set = 0, binding = 18) readonly buffer SrgbTable { float srgb_table[]; };
 
 layout(set = 1, binding = 0) uniform sampler2D scene_images[];
 
@@ -75,19 +91,8 @@ uvec2 image_size(uint image) {
     return uvec2(textureSize(scene_images[nonuniformEXT(image)], 0));
 }
 
-// A stored channel, 8 or 16 bits, decoded as fetch_image_texel (scene/image_view.h) does it: the
-// table's entries, and lines between them.
-float decode_srgb(float stored) {
-    uint bits = uint(stored * 65535.0f + 0.5f);
-    uint low = bits / 257u;
-    float f = float(bits - low * 257u) * (1.0f / 257.0f);
-    float decoded = srgb_table[low];
-    if (f > 0.0f) decoded += (srgb_table[low + 1u] - decoded) * f;
-    return decoded;
-}
-
 vec4 fetch_texel(uint image, uint x, uint y, uint srgb) {
     vec4 texel = texelFetch(scene_images[nonuniformEXT(image)], ivec2(x, y), 0);
     if (srgb == 0u) return texel;
-    return vec4(decode_srgb(texel.x), decode_srgb(texel.y), decode_srgb(texel.z), texel.w);
+    return vec4(srgb_to_linear(texel.x), srgb_to_linear(texel.y), srgb_to_linear(texel.z), texel.w);
 }

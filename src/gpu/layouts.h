@@ -25,7 +25,6 @@ enum class SceneBinding : std::uint32_t {
     albedo_table,
     albedo_average,
     filter_table,
-    srgb_table,
     count
 };
 

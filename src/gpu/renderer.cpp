@@ -46,7 +46,6 @@ Result<std::vector<T>> download_sums(rhi::Device& device, const rhi::Image& imag
 Result<std::unique_ptr<VulkanRenderer>> VulkanRenderer::create(GpuContext& context,
                                                                const FlatScene& scene) {
     std::unique_ptr<VulkanRenderer> renderer(new VulkanRenderer(context, scene));
-    HM_TRY_ASSIGN(renderer->pass_, context.path_tracing({}));
     HM_TRY_ASSIGN(renderer->scene_, GpuScene::create(context.device(), context.layouts(), scene));
     HM_TRY(renderer->make_slots());
     return renderer;
@@ -112,7 +111,10 @@ Result<void> VulkanRenderer::begin(const RenderJob& job, Film& film) {
 Result<void> VulkanRenderer::make_aovs(const RenderJob& job) {
     rhi::Device& device = context_.device();
     const bool with_aovs = film_->selection.needs_planes();
-    HM_TRY_ASSIGN(pass_, context_.path_tracing({.aovs = with_aovs}));
+    PathTracingVariant variant;
+    variant.aovs = with_aovs;
+    variant.usual = !with_aovs && is_usual(job.params);
+    HM_TRY_ASSIGN(pass_, context_.path_tracing(variant));
     aovs_.reset();
     surfaces_.clear();
     ids_ = film_->ids;

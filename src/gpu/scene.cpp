@@ -98,7 +98,6 @@ Result<void> GpuScene::upload_tables(const FlatScene& scene, rhi::DescriptorWrit
 Result<void> GpuScene::upload_constants(rhi::DescriptorWrites& writes) {
     using B = SceneBinding;
     const ShadingTables& constant = shading_tables();
-    const std::span srgb(srgb_table(), 256);
     const FrameData frame{};
     const std::array<float, 257> filter{};
     HM_TRY(add_table(writes, B::frame, "frame", bytes_of(std::span(&frame, 1))));
@@ -107,7 +106,6 @@ Result<void> GpuScene::upload_constants(rhi::DescriptorWrites& writes) {
     HM_TRY(add_table(writes, B::blue_noise, "blue noise", bytes_of(constant.blue_noise)));
     HM_TRY(add_table(writes, B::albedo_table, "albedo", bytes_of(constant.albedo_table)));
     HM_TRY(add_table(writes, B::albedo_average, "mean albedo", bytes_of(constant.albedo_average)));
-    HM_TRY(add_table(writes, B::srgb_table, "sRGB", bytes_of(srgb)));
     HM_TRY_ASSIGN(sobol_directions_,
                   rhi::upload_buffer(uploader_, device_,
                                      {"Sobol directions", sizeof(constant.sobol_directions)},

@@ -9,7 +9,7 @@ HM_NAMESPACE_BEGIN
 
 // Set 0, binding 0: all that is the same for every ray of a picture.
 struct FrameData {
-    RenderParams params;
+    RenderParams frame_params;
     CameraData camera;
     EnvironmentData environment;
 };

@@ -62,7 +62,7 @@ TEST(StagesLayout, TablesOfTheGpu) {
                              {"triangles", offsetof(GeometryAddresses, triangles)}};
     EXPECT_EQ(hit.at("GeometryAddresses").offsets, addresses);
     EXPECT_EQ(hit.at("GeometryAddresses").array_stride, sizeof(GeometryAddresses));
-    const Sizes frame = {{"params", offsetof(FrameData, params)},
+    const Sizes frame = {{"frame_params", offsetof(FrameData, frame_params)},
                          {"camera", offsetof(FrameData, camera)},
                          {"environment", offsetof(FrameData, environment)}};
     EXPECT_EQ(hit.at("Frame_").offsets, frame);

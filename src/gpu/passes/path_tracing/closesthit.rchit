@@ -17,6 +17,7 @@ layout(location = 0) rayPayloadInEXT PathPayload path_payload;
 #include "shading/path/closest_hit.h"
 
 void main() {
+    load_params();
     HitIds ids;
     ids.instance = gl_InstanceCustomIndexEXT;
     ids.geometry = gl_GeometryIndexEXT;

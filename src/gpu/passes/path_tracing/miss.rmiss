@@ -12,5 +12,6 @@ layout(location = 0) rayPayloadInEXT PathPayload path_payload;
 #include "shading/path/miss.h"
 
 void main() {
+    load_params();
     miss(path_payload, gl_WorldRayDirectionEXT);
 }

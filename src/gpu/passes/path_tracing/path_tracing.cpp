@@ -4,14 +4,18 @@
 
 #include "shaders/anyhit_aovs.h"
 #include "shaders/anyhit_rahit.h"
+#include "shaders/anyhit_usual.h"
 #include "shaders/closesthit_aovs.h"
 #include "shaders/closesthit_rchit.h"
+#include "shaders/closesthit_usual.h"
 #include "shaders/miss_aovs.h"
 #include "shaders/miss_rmiss.h"
+#include "shaders/miss_usual.h"
 #include "shaders/reference_view_aovs.h"
 #include "shaders/reference_view_record.h"
 #include "shaders/reference_view_reorder.h"
 #include "shaders/reference_view_rgen.h"
+#include "shaders/reference_view_usual.h"
 #include "shaders/shadow_anyhit.h"
 #include "shaders/shadow_miss_rmiss.h"
 #include "shading/path/types.h"
@@ -59,6 +63,11 @@ rhi::RayTracingPipelineInfo stages_of(PathTracingVariant variant) {
     } else if (variant.reorder) {
         info.name = "path tracing, reordered";
         info.ray_generation = shaders::reference_view_reorder();
+    } else if (variant.usual) {
+        info.name = "path tracing, usual settings";
+        info.ray_generation = shaders::reference_view_usual();
+        info.misses[0] = shaders::miss_usual();
+        info.hit_groups[0] = {shaders::closesthit_usual(), shaders::anyhit_usual()};
     } else {
         info.name = "path tracing";
         info.ray_generation = shaders::reference_view_rgen();
@@ -67,6 +76,13 @@ rhi::RayTracingPipelineInfo stages_of(PathTracingVariant variant) {
 }
 
 }  // namespace
+
+// As load_params (bindings.glsl) has them.
+bool is_usual(const RenderParams& params) {
+    return params.sampler_kind == kSamplerSobolOwen && params.max_radiance == 0.0f &&
+           params.strategy == kStrategyMis && params.energy_compensation == 1u &&
+           params.diffuse_kind == kDiffuseLambert && params.background == kBackgroundEnvironment;
+}
 
 Result<PathTracingPass> PathTracingPass::create(rhi::Device& device, const SceneLayouts& layouts,
                                                 PathTracingVariant variant,

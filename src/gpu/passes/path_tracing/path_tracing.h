@@ -12,6 +12,8 @@ namespace hm {
 
 // Builds of the same stages.
 struct PathTracingVariant {
+    // For the settings that nearly all pictures have (is_usual): they are constants.
+    bool usual = false;
     // Hits are sorted before they are shaded (VK_NV_ray_tracing_invocation_reorder).
     bool reorder = false;
     // The rays of the first sample are kept, for gpu/bench. Not with `reorder`.
@@ -20,6 +22,9 @@ struct PathTracingVariant {
     bool aovs = false;
     auto operator<=>(const PathTracingVariant&) const = default;
 };
+
+// Whether the variant `usual` draws pictures of these settings.
+bool is_usual(const RenderParams& params);
 
 // What a launch adds to. Images are in layout general and of the crop's size.
 struct PathTracingTargets {
