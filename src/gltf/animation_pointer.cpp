@@ -17,7 +17,7 @@ struct Property {
     std::string_view pointer;
     std::variant<std::monostate, AnimatedProperty, AnimatedValue> what;
 };
-constexpr std::string_view kLights = "/extensions/KHR_lights_punctual/lights/";
+constexpr std::string_view kLights = "/extensions/KHR_lights_punctual/lights";
 constexpr std::array<Property, 25> kProperties{{
     {"/nodes/#/translation", AnimatedProperty::translation},
     {"/nodes/#/rotation", AnimatedProperty::rotation},
@@ -47,46 +47,69 @@ constexpr std::array<Property, 25> kProperties{{
     {"/cameras/#/orthographic/zfar", {}},
 }};
 
-// A pointer with its owner's number as "#".
-struct Pattern {
-    std::string pointer;
+// "/materials/3/normalTexture/scale" in its parts: "/materials", 3, "/normalTexture/scale".
+struct Parts {
+    std::string_view table;
     std::size_t owner = 0;
+    std::string_view rest;
 };
 
-std::optional<Pattern> split(std::string_view pointer) {
-    const std::size_t table =
-        pointer.starts_with(kLights) ? kLights.size() - 1 : pointer.find('/', 1);
-    if (table == pointer.npos) return std::nullopt;
-    const char* const first = pointer.data() + table + 1;
+std::optional<Parts> split(std::string_view pointer) {
+    const std::size_t slash =
+        pointer.starts_with(kLights) ? pointer.find('/', kLights.size()) : pointer.find('/', 1);
+    if (slash == pointer.npos) return std::nullopt;
+    const char* const first = pointer.data() + slash + 1;
     const char* const end = pointer.data() + pointer.size();
-    Pattern out;
+    Parts out;
     const auto [stopped, error] = std::from_chars(first, end, out.owner);
     // A number of RFC 6901 has no leading zeros.
     if (error != std::errc() || stopped == end || (*first == '0' && stopped - first > 1))
         return std::nullopt;
-    out.pointer = fmt::format("{}#{}", pointer.substr(0, table + 1),
-                              std::string_view(stopped, std::size_t(end - stopped)));
+    out.table = pointer.substr(0, slash);
+    out.rest = std::string_view(stopped, std::size_t(end - stopped));
     return out;
 }
 
 }  // namespace
 
-Result<std::optional<PointedProperty>> read_pointer(const Json& root, const Json& target) {
+// A file may have as many channels as owners, so none is looked for from the table's start.
+Result<bool> PointerReader::leads_somewhere(std::string_view table, std::size_t owner,
+                                            std::string_view rest) {
+    auto known = tables_.find(table);
+    if (known == tables_.end()) {
+        std::vector<Json> items;
+        if (table == kLights) {
+            HM_TRY_ASSIGN(const auto extension, root_.extension("KHR_lights_punctual"));
+            if (extension) {
+                HM_TRY_ASSIGN(items, extension->objects("lights"));
+            }
+        } else {
+            HM_TRY_ASSIGN(items, root_.objects(table.substr(1)));
+        }
+        known = tables_.emplace(table, std::move(items)).first;
+    }
+    // The property itself may be its default, but what it is of has to be there.
+    return owner < known->second.size() &&
+           known->second[owner].leads_to_object(rest.substr(0, rest.rfind('/')));
+}
+
+Result<std::optional<PointedProperty>> PointerReader::read(const Json& target) {
     HM_TRY_ASSIGN(const auto extension, target.extension("KHR_animation_pointer"));
     if (!extension) return std::nullopt;
     HM_TRY_ASSIGN(const std::string_view pointer,
                   extension->required("pointer", extension->text("pointer")));
-    const auto pattern = split(pointer);
-    if (!pattern) return std::nullopt;
-    const auto* const known = std::find_if(
-        kProperties.begin(), kProperties.end(),
-        [&](const Property& property) { return property.pointer == pattern->pointer; });
+    const auto parts = split(pointer);
+    if (!parts) return std::nullopt;
+    const std::string pattern = fmt::format("{}/#{}", parts->table, parts->rest);
+    const auto* const known =
+        std::find_if(kProperties.begin(), kProperties.end(),
+                     [&](const Property& property) { return property.pointer == pattern; });
     if (known == kProperties.end()) return std::nullopt;
-    // The property itself may be its default.
-    if (!root.leads_to_object(pointer.substr(0, pointer.rfind('/'))))
+    HM_TRY_ASSIGN(const bool found, leads_somewhere(parts->table, parts->owner, parts->rest));
+    if (!found)
         return extension->invalid("pointer",
                                   fmt::format("{} leads to nothing in the file", excerpt(pointer)));
-    return PointedProperty{known->what, pattern->owner};
+    return PointedProperty{known->what, parts->owner};
 }
 
 }  // namespace hm::gltf

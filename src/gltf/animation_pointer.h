@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "gltf/json.h"
 #include "scene/animation.h"
@@ -16,8 +19,19 @@ struct PointedProperty {
     std::size_t owner = 0;  // the file's number of the node, material, light or camera
 };
 
-// `target` is a channel's. Nothing where the property is not one that this program animates. Fails
-// where the pointer leads to nothing in the file.
-Result<std::optional<PointedProperty>> read_pointer(const Json& root, const Json& target);
+class PointerReader {
+  public:
+    explicit PointerReader(const Json& root) : root_(root) {}
+
+    // `target` is a channel's. Nothing where the property is not one that this program animates.
+    // Fails where the pointer leads to nothing in the file.
+    Result<std::optional<PointedProperty>> read(const Json& target);
+
+  private:
+    Result<bool> leads_somewhere(std::string_view table, std::size_t owner, std::string_view rest);
+
+    const Json& root_;
+    std::map<std::string, std::vector<Json>, std::less<>> tables_;  // those met, by their pointers
+};
 
 }  // namespace hm::gltf

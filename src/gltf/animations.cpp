@@ -142,9 +142,9 @@ Result<void> check_output(const Json& channel, const Source& source, const Neede
 
 class AnimationReader {
   public:
-    AnimationReader(const Json& root, Source& source, const std::vector<int>& scene_node,
+    AnimationReader(PointerReader& pointers, Source& source, const std::vector<int>& scene_node,
                     const Scene& scene)
-        : root_(root), source_(source), scene_node_(scene_node), scene_(scene) {}
+        : pointers_(pointers), source_(source), scene_node_(scene_node), scene_(scene) {}
 
     Result<Animation> read(const Json& json);
 
@@ -156,7 +156,7 @@ class AnimationReader {
     Result<void> add(const Json& json, std::size_t sampler, std::size_t owner, AnimatedValue value);
     Result<std::size_t> values_per_key(const Json& target, const PathName& path, const Node& node);
 
-    const Json& root_;
+    PointerReader& pointers_;
     Source& source_;
     const std::vector<int>& scene_node_;
     const Scene& scene_;
@@ -216,7 +216,7 @@ Result<void> AnimationReader::add(const Json& json, std::size_t sampler, std::si
 
 Result<void> AnimationReader::read_pointer_channel(const Json& json, const Json& target,
                                                    std::size_t sampler) {
-    HM_TRY_ASSIGN(const auto pointed, read_pointer(root_, target));
+    HM_TRY_ASSIGN(const auto pointed, pointers_.read(target));
     if (!pointed) {
         source_.warn(target.place(), "a channel whose target can't be animated is left out");
         return {};
@@ -268,10 +268,11 @@ Result<std::vector<Animation>> read_animations(const Json& root, Source& source,
                                                const std::vector<int>& scene_node,
                                                const Scene& scene) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("animations"));
+    PointerReader pointers(root);
     std::vector<Animation> out;
     for (const Json& item : items) {
         HM_TRY_ASSIGN(Animation animation,
-                      AnimationReader(root, source, scene_node, scene).read(item));
+                      AnimationReader(pointers, source, scene_node, scene).read(item));
         out.push_back(std::move(animation));
     }
     return out;

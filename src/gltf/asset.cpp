@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <utility>
+#include <set>
 
 namespace hm::gltf {
 namespace {
@@ -47,18 +47,17 @@ Result<std::optional<Version>> read_version(const Json& asset, std::string_view 
 
 // One warning for each, with how many objects have it.
 void warn_of_ignored(const Json& root, const std::vector<std::string_view>& used, Source& source) {
-    auto uses = root.extension_uses();
+    const auto uses = root.extension_uses();
+    std::set<std::string_view> listed;
     for (std::size_t i = 0; i < used.size(); ++i) {
-        const std::size_t count = std::exchange(uses[used[i]], 0);
-        const bool is_first =
-            std::find(used.begin(), used.end(), used[i]) - used.begin() == std::ptrdiff_t(i);
-        if (!is_supported(used[i]) && is_first)
-            source.warn(fmt::format("/extensionsUsed/{}", i),
-                        fmt::format("extension {} is not supported and ignored", excerpt(used[i])),
-                        std::max<std::size_t>(count, 1));
+        if (!listed.insert(used[i]).second || is_supported(used[i])) continue;
+        const auto found = uses.find(used[i]);
+        source.warn(fmt::format("/extensionsUsed/{}", i),
+                    fmt::format("extension {} is not supported and ignored", excerpt(used[i])),
+                    found == uses.end() ? 1 : found->second);
     }
     for (const auto& [name, count] : uses)
-        if (!is_supported(name) && count > 0)
+        if (!is_supported(name) && !listed.contains(name))
             source.warn(
                 "/extensionsUsed",
                 fmt::format("does not list extension {}, which is not supported and ignored",

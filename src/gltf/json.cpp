@@ -119,6 +119,7 @@ std::vector<std::string_view> Json::keys() const {
 }
 
 bool Json::leads_to_object(std::string_view pointer) const {
+    if (pointer.empty()) return value_.is_object();
     dom::element found;
     return value_.at_pointer(pointer).get(found) == simdjson::SUCCESS && found.is_object();
 }

@@ -1,6 +1,6 @@
 #include "gltf/summary.h"
 
-#include <algorithm>
+#include <set>
 
 #include "base/files.h"
 #include "gltf/asset.h"
@@ -29,17 +29,16 @@ Result<void> read_asset(const Json& root, FileSummary& summary) {
 
 Result<std::vector<FileExtension>> read_extensions(const Json& root) {
     HM_TRY_ASSIGN(std::vector<std::string_view> names, root.texts("extensionsUsed"));
-    HM_TRY_ASSIGN(const std::vector<std::string_view> required, root.texts("extensionsRequired"));
+    HM_TRY_ASSIGN(const std::vector<std::string_view> demanded, root.texts("extensionsRequired"));
     // What is required has to be listed as used as well; not every file does.
-    names.insert(names.end(), required.begin(), required.end());
+    names.insert(names.end(), demanded.begin(), demanded.end());
+    const std::set<std::string_view> required(demanded.begin(), demanded.end());
+    std::set<std::string_view> known;  // hostile lists are long
     std::vector<FileExtension> extensions;
-    for (const std::string_view name : names) {
-        const auto same = [&](const FileExtension& known) { return known.name == name; };
-        if (std::any_of(extensions.begin(), extensions.end(), same)) continue;
-        const bool is_required =
-            std::find(required.begin(), required.end(), name) != required.end();
-        extensions.push_back({std::string(name), is_required, gltf::is_supported(name)});
-    }
+    for (const std::string_view name : names)
+        if (known.insert(name).second)
+            extensions.push_back(
+                {std::string(name), required.contains(name), gltf::is_supported(name)});
     return extensions;
 }
 
