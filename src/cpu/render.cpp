@@ -82,6 +82,7 @@ struct CpuRenderer::Impl {
     void prepare_aovs();
     void render_tile(KernelTile& tile);
     void fold_hits(const KernelTile& tile, std::span<const KernelHit> hits);
+    void complete(KernelTile tile, RenderCounters& counters);
 };
 
 KernelTables CpuRenderer::Impl::make_tables() const {
@@ -202,6 +203,35 @@ void CpuRenderer::Impl::render_tile(KernelTile& tile) {
     tile.non_finite = non_finite;
 }
 
+// Adds what the tile's pixels lack of its samples. All have as many, since tiles are drawn whole; a
+// film from elsewhere may have been cut otherwise, and then goes pixel by pixel.
+void CpuRenderer::Impl::complete(KernelTile tile, RenderCounters& counters) {
+    const PixelRect& crop = film->crop;
+    tile.stride = crop.width();
+    tile.first_pixel = std::size_t(tile.y0 - crop.y0) * tile.stride + (tile.x0 - crop.x0);
+    tile.pixels = &film->sums[tile.first_pixel];
+    const std::uint32_t width = tile.x1 - tile.x0, height = tile.y1 - tile.y0;
+    bool even = true;
+    for (std::uint32_t y = 0; y < height; ++y)
+        for (std::uint32_t x = 0; x < width; ++x)
+            even = even && tile.pixels[y * tile.stride + x].weight == tile.pixels[0].weight;
+    for (std::uint32_t i = 0; !even && i < width * height; ++i) {
+        KernelTile pixel = tile;
+        pixel.x0 = tile.x0 + i % width;
+        pixel.y0 = tile.y0 + i / width;
+        pixel.x1 = pixel.x0 + 1;
+        pixel.y1 = pixel.y0 + 1;
+        complete(pixel, counters);
+    }
+    const std::uint32_t next = film->first_sample + std::uint32_t(tile.pixels[0].weight);
+    tile.sample_begin = std::max(tile.sample_begin, next);
+    if (!even || tile.sample_begin >= tile.sample_end) return;
+    counters.samples += std::uint64_t(width) * height * (tile.sample_end - tile.sample_begin);
+    render_tile(tile);
+    counters.rays += tile.rays;
+    counters.non_finite += tile.non_finite;
+}
+
 Result<void> CpuRenderer::begin(const RenderJob& job, Film& film) {
     HM_CHECK(film.sums.size() == std::size_t(film.crop.width()) * film.crop.height(),
              "{} sums for {} x {}", film.sums.size(), film.crop.width(), film.crop.height());
@@ -216,7 +246,6 @@ Result<void> CpuRenderer::render(std::uint32_t begin, std::uint32_t end, RenderC
                                  const std::atomic<bool>& cancel) {
     HM_CHECK(impl_->film != nullptr, "samples {} to {} before begin", begin, end);
     const PixelRect crop = impl_->film->crop;
-    const std::span<PixelSum> sums = impl_->film->sums;
     const std::uint32_t columns = (crop.width() + kTileSize - 1) / kTileSize;
     const std::uint32_t rows = (crop.height() + kTileSize - 1) / kTileSize;
     auto render_tile = [&](std::uint32_t i) {
@@ -228,13 +257,7 @@ Result<void> CpuRenderer::render(std::uint32_t begin, std::uint32_t end, RenderC
         tile.y1 = std::min(tile.y0 + kTileSize, crop.y1);
         tile.sample_begin = begin;
         tile.sample_end = end;
-        tile.first_pixel = std::size_t(tile.y0 - crop.y0) * crop.width() + (tile.x0 - crop.x0);
-        tile.pixels = sums.data() + tile.first_pixel;
-        tile.stride = crop.width();
-        impl_->render_tile(tile);
-        counters.samples += std::uint64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0) * (end - begin);
-        counters.rays += tile.rays;
-        counters.non_finite += tile.non_finite;
+        impl_->complete(tile, counters);
     };
     impl_->arena.execute(
         [&] { tbb::parallel_for(0u, columns * rows, render_tile, tbb::simple_partitioner{}); });

@@ -99,4 +99,11 @@ tl::expected<std::vector<Aov>, std::string> parse_aovs(std::string_view text) {
     return aovs;
 }
 
+std::string aov_names(std::span<const Aov> aovs) {
+    std::string text;
+    for (const Aov aov : aovs)
+        text += fmt::format("{}{}", text.empty() ? "" : ",", aov_info(aov).name);
+    return text;
+}
+
 }  // namespace hm

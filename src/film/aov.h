@@ -82,5 +82,7 @@ struct AovSelection {
 
 // "albedo,depth" or "all"; the error completes a sentence and lists the names.
 tl::expected<std::vector<Aov>, std::string> parse_aovs(std::string_view text);
+// What parse_aovs reads; empty for none.
+std::string aov_names(std::span<const Aov> aovs);
 
 }  // namespace hm

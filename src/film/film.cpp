@@ -99,6 +99,7 @@ void merge_film(Film& film, const Film& part) {
     HM_CHECK(film.crop == part.crop && film.selection == part.selection,
              "{} and {} planes over {} and {} pixels", film.planes.size(), part.planes.size(),
              film.sums.size(), part.sums.size());
+    film.first_sample = std::min(film.first_sample, part.first_sample);
     for (std::size_t i = 0; i < film.sums.size(); ++i) {
         PixelSum& sum = film.sums[i];
         const PixelSum& more = part.sums[i];
@@ -142,6 +143,20 @@ double Film::mean_samples() const {
     for (const PixelSum& s : sums)
         sum += double(s.weight);
     return sums.empty() ? 0 : sum / double(sums.size());
+}
+
+std::uint32_t Film::fewest_samples() const {
+    float fewest = sums.empty() ? 0.0f : sums[0].weight;
+    for (const PixelSum& s : sums)
+        fewest = std::min(fewest, s.weight);
+    return std::uint32_t(fewest);
+}
+
+std::uint32_t Film::most_samples() const {
+    float most = 0;
+    for (const PixelSum& s : sums)
+        most = std::max(most, s.weight);
+    return std::uint32_t(most);
 }
 
 }  // namespace hm

@@ -43,6 +43,8 @@ void add_id(IdList& list, std::uint32_t id, float count);
 
 struct Film {
     PixelRect crop;
+    // A pixel holds samples first_sample, first_sample + 1, ... as many as its weight says.
+    std::uint32_t first_sample = 0;
     AovSelection selection;
     std::vector<PixelSum> sums;     // rows of crop.width()
     std::vector<FilmPlane> planes;  // what `selection` needs, in the order of their numbers
@@ -60,10 +62,13 @@ struct Film {
     double removed_luminance() const;
     double mean_luminance() const;
     double mean_samples() const;
+    std::uint32_t fewest_samples() const;
+    std::uint32_t most_samples() const;
 };
 
 // Adds the samples of `part`, which has others of the same picture: same crop and selection, no
-// sample twice. In whatever order parts are added, the result is the same to float rounding.
+// sample twice. In whatever order parts are added, the result is the same to float rounding, and
+// in the end, when no sample is missing in between, a film as any other.
 void merge_film(Film& film, const Film& part);
 
 }  // namespace hm

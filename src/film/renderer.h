@@ -59,8 +59,10 @@ class Renderer {
     virtual Result<void> begin(const RenderJob& job, Film& film) = 0;
 
     // Adds samples [begin, end) to each pixel of the film, in the order of their indices: the same
-    // bits however a range is split. Returns early once `cancel` is set, leaving some pixels with
-    // fewer samples. Fails where the device does.
+    // bits however a range is split. Returns early once `cancel` is set: a GPU after whole samples
+    // of all pixels, the CPU after whole tiles, which leaves pixels with fewer samples. The same
+    // range once more finishes it there: a pixel that has some of the samples, by its weight, gets
+    // the others. Fails where the device does.
     virtual Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
                                 const std::atomic<bool>& cancel) = 0;
 

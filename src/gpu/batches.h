@@ -50,6 +50,8 @@ class BatchCutter {
         : height_(height), next_(begin), end_(end) {}
     // None when all is done.
     std::optional<Batch> next(const BatchSizer& sizer);
+    // Whether all rows have as many samples.
+    bool is_even() const { return row_ == 0; }
 
   private:
     std::uint32_t height_;

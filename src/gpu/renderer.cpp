@@ -258,7 +258,7 @@ Result<void> VulkanRenderer::render(std::uint32_t begin, std::uint32_t end,
     HM_CHECK(film_ != nullptr, "samples {} to {} before begin", begin, end);
     BatchCutter cutter(film_->crop.height(), begin, end);
     std::size_t turn = 0;
-    for (; !cancel.load(std::memory_order_relaxed); ++turn) {
+    for (; !cutter.is_even() || !cancel.load(std::memory_order_relaxed); ++turn) {
         // The older of the two submissions tells how long the next may be.
         HM_TRY(finish(slots_[turn % 2], counters));
         const std::optional<Batch> batch = cutter.next(sizer_);

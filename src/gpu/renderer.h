@@ -25,7 +25,8 @@ class VulkanRenderer final : public Renderer {
 
     std::string device() const override;
     Result<void> begin(const RenderJob& job, Film& film) override;
-    // Submissions take about kBatchMilliseconds; `cancel` is looked at between them.
+    // Submissions take about kBatchMilliseconds; `cancel` is looked at between them, except in the
+    // middle of a sample that is drawn band by band.
     Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
                         const std::atomic<bool>& cancel) override;
     Result<void> sync() override;

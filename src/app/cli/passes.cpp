@@ -9,15 +9,19 @@
 namespace hm::cli {
 namespace {
 
-constexpr std::chrono::milliseconds kWatchInterval{100};
+constexpr double kWatchSeconds = 0.1;
 
 // Looks at the clock and at `stop` beside the rendering threads and sets `cancel`.
 class Watcher {
   public:
-    Watcher(const PassPlan& plan, const RenderCounters& counters, double pixels,
-            const std::function<bool()>& stop,
-            const std::function<void(const ProgressState&)>& watch)
-        : plan_(plan), counters_(counters), pixels_(pixels), stop_(stop), watch_(watch) {
+    Watcher(const PassPlan& plan, const PassHooks& hooks, const RenderCounters& counters,
+            const Film& film)
+        : plan_(plan),
+          hooks_(hooks),
+          counters_(counters),
+          samples_wanted_(double(plan.end - film.first_sample)),
+          pixels_(double(film.sums.size())),
+          kept_at_(plan.seconds_before) {
         thread_ = std::thread([this] { run(); });
     }
 
@@ -31,28 +35,37 @@ class Watcher {
     }
 
     const std::atomic<bool>& cancel() const { return cancel_; }
-    double seconds() const { return seconds_since(start_); }
-    void first_pass_done() { may_time_out_ = true; }
-    bool interrupted() {
-        if (stop_()) interrupted_ = true;
-        return interrupted_;
+    double seconds() const { return plan_.seconds_before + seconds_since(start_); }
+    bool stopped() const { return hooks_.stop(); }
+    bool timed_out() const { return may_time_out_ && plan_.time && seconds() >= *plan_.time; }
+    bool keep_due() const { return plan_.keep_every && seconds() >= kept_at_ + *plan_.keep_every; }
+
+    void let_time_out() { may_time_out_ = true; }
+    void go_on() { cancel_ = false; }
+    void keep() {
+        hooks_.keep(counters_, seconds());
+        kept_at_ = seconds();
+        cancel_ = false;
     }
 
   private:
     void run() {
         std::unique_lock lock(mutex_);
         while (!wake_.wait_for(lock, next_wait(), [this] { return done_; })) {
-            if (interrupted() || (may_time_out_ && plan_.time && seconds() >= *plan_.time))
-                cancel_ = true;
-            watch_(state());
+            if (timed_out() || keep_due()) cancel_ = true;
+            hooks_.watch(state());
         }
     }
 
     std::chrono::duration<double> next_wait() const {
-        std::chrono::duration<double> wait = kWatchInterval;
-        if (plan_.time && seconds() < *plan_.time)
-            wait = std::min(wait, std::chrono::duration<double>(*plan_.time - seconds()));
-        return wait;
+        double wait = kWatchSeconds;
+        const auto end_at = [&](double moment) {
+            const double left = moment - seconds();
+            if (left > 0) wait = std::min(wait, left);
+        };
+        if (plan_.time) end_at(*plan_.time);
+        if (plan_.keep_every) end_at(kept_at_ + *plan_.keep_every);
+        return std::chrono::duration<double>(wait);
     }
 
     ProgressState state() const {
@@ -60,20 +73,20 @@ class Watcher {
         s.seconds = seconds();
         s.rays = counters_.rays.load();
         s.samples_per_pixel = double(counters_.samples.load()) / pixels_;
-        s.fraction = s.samples_per_pixel / double(plan_.samples);
+        s.fraction = s.samples_per_pixel / samples_wanted_;
         if (plan_.time) s.fraction = std::max(s.fraction, s.seconds / *plan_.time);
         return s;
     }
 
     const PassPlan& plan_;
+    const PassHooks& hooks_;
     const RenderCounters& counters_;
+    const double samples_wanted_;
     const double pixels_;
-    const std::function<bool()>& stop_;
-    const std::function<void(const ProgressState&)>& watch_;
     const Clock::time_point start_ = Clock::now();
+    std::atomic<double> kept_at_;  // in seconds()
     std::atomic<bool> cancel_ = false;
     std::atomic<bool> may_time_out_ = false;
-    std::atomic<bool> interrupted_ = false;
     std::mutex mutex_;
     std::condition_variable wake_;
     bool done_ = false;
@@ -81,36 +94,47 @@ class Watcher {
 };
 
 // As many samples as should take plan.pass_seconds, at most twice as many as the last pass.
-std::uint32_t next_pass(const PassPlan& plan, std::uint32_t last, double last_seconds,
-                        std::uint32_t left) {
+std::uint32_t next_pass(const PassPlan& plan, std::uint32_t last, double last_seconds) {
     const double fitting = double(last) * plan.pass_seconds / std::max(last_seconds, 1e-9);
-    const double count = std::clamp(fitting, 1.0, 2.0 * double(last));
-    return std::min(static_cast<std::uint32_t>(count), left);
+    return static_cast<std::uint32_t>(std::clamp(fitting, 1.0, 2.0 * double(last)));
+}
+
+// The sample up to which no pixel lacks one.
+std::uint32_t reached(const Film& film) {
+    return film.first_sample + film.fewest_samples();
 }
 
 }  // namespace
 
 Result<PassResult> render_passes(Renderer& renderer, const RenderJob& job, Film& film,
                                  RenderCounters& counters, const PassPlan& plan,
-                                 const std::function<bool()>& stop,
-                                 const std::function<void(const ProgressState&)>& watch) {
+                                 const PassHooks& hooks) {
     HM_TRY(renderer.begin(job, film));
-    PassResult result;
-    Watcher watcher(plan, counters, double(film.sums.size()), stop, watch);
-    std::uint32_t done = 0, count = 1;
-    while (done < plan.samples && !watcher.cancel()) {
+    Watcher watcher(plan, hooks, counters, film);
+    // A pass ends where all pixels have as many samples; `until` is where the present one will.
+    std::uint32_t done = reached(film), until = film.first_sample + film.most_samples();
+    std::uint32_t count = 1;
+    while (done < plan.end) {
+        if (done == until && watcher.stopped()) break;
+        if (done == until) until = done + std::min(count, plan.end - done);
+        if (done > film.first_sample) watcher.let_time_out();
+        if (watcher.timed_out()) break;
         const double begin = watcher.seconds();
-        HM_TRY(renderer.render(done, done + count, counters, watcher.cancel()));
-        watcher.first_pass_done();
-        done += count;
-        const double seconds = watcher.seconds();
-        if (plan.time && seconds >= *plan.time) break;
-        count = next_pass(plan, count, seconds - begin, plan.samples - done);
+        HM_TRY(renderer.render(done, until, counters, watcher.cancel()));
+        if (watcher.cancel()) {
+            watcher.go_on();
+            HM_TRY(renderer.sync());
+            done = reached(film);
+        } else {
+            count = next_pass(plan, until - done, watcher.seconds() - begin);
+            done = until;
+        }
+        if (!watcher.keep_due()) continue;
+        HM_TRY(renderer.sync());
+        watcher.keep();
     }
     HM_TRY(renderer.sync());
-    result.seconds = watcher.seconds();
-    result.interrupted = watcher.interrupted() && watcher.cancel();
-    return result;
+    return PassResult{watcher.seconds(), watcher.stopped() && done < plan.end};
 }
 
 }  // namespace hm::cli
