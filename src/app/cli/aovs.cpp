@@ -41,9 +41,4 @@ AovSetup prepare_aovs(const RenderOptions& options, const Scene& scene, FlatScen
     return setup;
 }
 
-LayerChoice layer_choice(const RenderOptions& options, const SurfaceNames& names) {
-    return {options.width, options.height, options.background == kBackgroundTransparent,
-            options.layers.half, CryptomatteNames{names.objects, names.materials, names.assets}};
-}
-
 }  // namespace hm::cli

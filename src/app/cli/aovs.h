@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/cli/options.h"
-#include "film/layers.h"
+#include "film/aov.h"
 #include "scene/flatten.h"
 #include "scene/motion.h"
 #include "scene/pose.h"
@@ -25,7 +25,5 @@ struct AovSetup {
 // Also fills flat.aovs.
 AovSetup prepare_aovs(const RenderOptions& options, const Scene& scene, FlatScene& flat,
                       const std::optional<PoseRecord>& next_pose);
-
-LayerChoice layer_choice(const RenderOptions& options, const SurfaceNames& names);
 
 }  // namespace hm::cli

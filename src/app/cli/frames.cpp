@@ -47,6 +47,7 @@ std::filesystem::path frame_path(const std::filesystem::path& pattern, std::uint
 RenderOptions frame_options(const RenderOptions& options, std::uint32_t number) {
     RenderOptions frame = options;
     frame.frames.reset();
+    frame.frame = number;
     frame.at = float(double(number) / double(options.fps));
     // Frame 0 has the seed itself; an odd factor keeps all others apart.
     frame.seed = options.seed + number * 0x9e3779b9u;

@@ -28,12 +28,13 @@ Result<ExitCode> run(int count, const char* const* arguments) {
     if (line.bench) return cli::bench(*line.bench);
     if (line.compare) return cli::compare(*line.compare);
     if (line.denoise) return cli::denoise(*line.denoise);
+    if (line.merge) return cli::merge(*line.merge);
     HM_TRY(cli::print(line.text));
     return ExitCode::ok;
 }
 
 int complain(ExitCode code, std::string_view line) {
-    fmt::print(stderr, "himalaya: error: {}\n", printable(line));
+    cli::tell(fmt::format("himalaya: error: {}\n", printable(line)));
     return int(code);
 }
 

@@ -25,13 +25,14 @@ using Arguments = std::vector<std::string>;
 constexpr std::array<std::array<std::string_view, 4>, 4> kReplacedTogether = {{
     {"camera", "eye", "target", "up"},
     {"at", "frames", "fps", ""},
-    {"spp", "time", "", ""},
+    {"spp", "time", "samples", ""},
     {"size", "crop", "", ""},
 }};
 
 // What says nothing about the picture.
-constexpr std::array<std::string_view, 8> kNotSettings = {
-    "FILE", "output", "json", "quiet", "threads", "help", "memory-limit", "allow-external"};
+constexpr std::array<std::string_view, 12> kNotSettings = {
+    "FILE",  "output",       "json",           "quiet",      "threads", "help",
+    "every", "memory-limit", "allow-external", "checkpoint", "resume",  "any-device"};
 
 bool was_given(const RenderOptions& options, std::string_view flag) {
     const auto given = [&](std::string_view name) {
@@ -111,6 +112,9 @@ CommandLine parse(const Arguments& arguments) {
     DenoiseOptions denoise_options;
     CLI::App& denoise = *app.add_subcommand("denoise", "Take the noise out of a rendered .exr");
     add_denoise_flags(denoise, denoise_options);
+    MergeOptions merge_options;
+    CLI::App& merge = *app.add_subcommand("merge", "Join parts of a rendering (--samples)");
+    add_merge_flags(merge, merge_options);
     try {
         app.parse(Arguments(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
@@ -136,6 +140,10 @@ CommandLine parse(const Arguments& arguments) {
         line.denoise = std::move(denoise_options);
         return line;
     }
+    if (merge.parsed()) {
+        line.merge = std::move(merge_options);
+        return line;
+    }
     if (compare.parsed()) {
         line.compare = std::move(compare_options);
         return line;
@@ -147,6 +155,9 @@ CommandLine parse(const Arguments& arguments) {
             options.given.emplace_back(name, option->results().front());
     }
     if (options.time && render.get_option("--spp")->count() == 0) options.samples = kMaxSamples;
+    KeepOptions& keep = options.keep;
+    keep.begin_if_missing = !keep.resume.empty() && keep.checkpoint == keep.resume;
+    if (keep.checkpoint.empty()) keep.checkpoint = keep.resume;
     line.render = std::move(options);
     return line;
 }

@@ -10,6 +10,7 @@
 
 #include "app/cli/compare.h"
 #include "app/cli/denoise.h"
+#include "app/cli/merge.h"
 #include "base/result.h"
 #include "film/film.h"
 #include "film/tonemap.h"
@@ -32,6 +33,20 @@ struct DeviceFlag {
     enum class Kind { automatic, cpu, vulkan };
     Kind kind = Kind::automatic;
     std::optional<std::uint32_t> index;  // of vulkan:N
+};
+
+struct SampleRange {
+    std::uint32_t begin = 0, end = 0;  // half-open
+};
+
+// Work that outlasts the program (docs/checkpoints.md).
+struct KeepOptions {
+    std::filesystem::path checkpoint;    // what --resume names unless it was given itself
+    std::optional<float> every;          // seconds
+    std::filesystem::path resume;        // empty: begin anew
+    bool begin_if_missing = false;       // --checkpoint was given with the name of --resume
+    bool any_device = false;             // the checkpoint may be another's
+    std::optional<SampleRange> samples;  // none: all, from 0
 };
 
 struct ViewOptions {
@@ -60,6 +75,7 @@ struct RenderOptions {
     std::optional<PixelRect> crop;
     std::uint32_t samples = 64;
     std::optional<float> time;  // seconds
+    KeepOptions keep;
     std::uint32_t seed = 0;
     std::uint32_t sampler = kSamplerSobolOwen;
     std::uint32_t bounces = 8;  // 0: no limit
@@ -74,6 +90,7 @@ struct RenderOptions {
     std::string animation;    // name or index; empty: the file's first
     std::optional<float> at;  // seconds of the animation
     std::optional<FrameRange> frames;
+    std::optional<std::uint32_t> frame;  // the one of a sequence that these options draw
     float fps = 24;
 
     std::string env;  // a path, "none", or empty: the default where the scene has no light
@@ -96,6 +113,8 @@ struct RenderOptions {
 
     // Flags and values that shaped the picture, a demo's own first: for reports and metadata.
     std::vector<std::pair<std::string, std::string>> given;
+
+    std::uint32_t sample_end() const { return keep.samples ? keep.samples->end : samples; }
 };
 
 struct InfoOptions {
@@ -122,6 +141,7 @@ struct CommandLine {
     std::optional<BenchOptions> bench;
     std::optional<CompareOptions> compare;
     std::optional<DenoiseOptions> denoise;
+    std::optional<MergeOptions> merge;
     std::string text;  // help or version, to be printed instead
 };
 

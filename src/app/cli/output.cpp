@@ -10,4 +10,9 @@ Result<void> print(std::string_view text) {
     return {};
 }
 
+void tell(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
+}
+
 }  // namespace hm::cli

@@ -1,4 +1,4 @@
-// Standard output, where reports go.
+// Standard output, where reports go, and standard error, where messages go.
 #pragma once
 
 #include <string_view>
@@ -9,5 +9,8 @@ namespace hm::cli {
 
 // Fails with ExitCode::unwritable.
 Result<void> print(std::string_view text);
+
+// On standard error. Whether anybody listens ends no work.
+void tell(std::string_view text);
 
 }  // namespace hm::cli

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "app/cli/output.h"
 #include "base/text.h"
 
 namespace hm::cli {
@@ -47,8 +47,7 @@ Progress::Progress(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO
 void Progress::line(std::string_view text) {
     if (quiet_) return;
     erase_bar();
-    fmt::print(stderr, "himalaya: {}\n", printable(text));
-    std::fflush(stderr);
+    tell(fmt::format("himalaya: {}\n", printable(text)));
 }
 
 void Progress::note(std::string_view text) {
@@ -68,8 +67,7 @@ void Progress::update(const ProgressState& state) {
     s.fraction = std::clamp(s.fraction, 0.0, 1.0);
     if (terminal_) {
         // Back to the start of the line, and what is left of a longer one is erased.
-        fmt::print(stderr, "\r{} {}\x1b[K", bar(s.fraction), describe(s));
-        std::fflush(stderr);
+        tell(fmt::format("\r{} {}\x1b[K", bar(s.fraction), describe(s)));
         bar_shown_ = true;
     } else if (s.seconds - last_line_ >= kSecondsBetweenLines) {
         last_line_ = s.seconds;
@@ -84,8 +82,7 @@ void Progress::finish() {
 
 void Progress::erase_bar() {
     if (!bar_shown_) return;
-    fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
+    tell("\r\x1b[K");
     bar_shown_ = false;
 }
 

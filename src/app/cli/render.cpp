@@ -13,11 +13,14 @@
 #include "app/cli/devices.h"
 #include "app/cli/frames.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/keeper.h"
 #include "app/cli/output.h"
 #include "app/cli/passes.h"
+#include "app/cli/pictures.h"
 #include "app/cli/report.h"
 #include "app/cli/setup.h"
 #include "app/cli/vulkan_devices.h"
+#include "film/tonemap.h"
 #include "film/variance.h"
 #include "film/write.h"
 #include "gltf/load.h"
@@ -25,28 +28,33 @@
 namespace hm::cli {
 namespace {
 
-// All of them are tried, so that one full disk does not cost every picture; the first error is
-// returned.
-Result<void> write_all(const RenderOptions& options, const Film& film, const SurfaceNames& names,
-                       RenderSummary& summary) {
-    const Image picture = film.resolve();
-    summary.exposure = options.exposure ? *options.exposure : auto_exposure(picture);
-    const PictureOptions how{.crop = film.crop,
-                             .alpha = options.background == kBackgroundTransparent,
-                             .tone = {summary.exposure, options.tone_curve},
-                             .exr = options.layers.exr};
-    LayeredImage layers = film_layers(film, layer_choice(options, names));
-    const Metadata metadata = picture_metadata(options, summary);
-    layers.metadata.insert(layers.metadata.begin(), metadata.begin(), metadata.end());
+// Of a range of the samples, .exr files are parts. All are tried, and the first error is returned.
+Result<void> write_all(const RenderOptions& options, const Film& film, const FilmRecord& record) {
+    std::vector<std::filesystem::path> pictures;
     Result<void> outcome;
     for (const std::filesystem::path& path : options.outputs) {
-        Result<void> written = write_picture(path, picture, layers, how);
+        const bool is_part = options.keep.samples && picture_kind(path) == PictureKind::exr;
+        if (!is_part) pictures.push_back(path);
+        Result<void> written = is_part ? write_part(path, options, film, record) : Result<void>();
         if (!written && outcome) outcome = std::move(written);
     }
-    return outcome;
+    Result<void> written = write_pictures(pictures, film, options.width, options.height, record);
+    return outcome ? written : outcome;
 }
 
-void fill_results(RenderSummary& summary, const Film& film, const RenderCounters& counters) {
+// What could not be written is not lost where it is in the checkpoint.
+Result<void> say_where_kept(Result<void> written, const RenderOptions& options,
+                            const Keeper& keeper) {
+    if (!written && !options.keep.checkpoint.empty() && keeper.kept())
+        written.error().message +=
+            fmt::format("; the samples are kept in {}, --resume writes again",
+                        options.keep.checkpoint.string());
+    return written;
+}
+
+void fill_results(RenderSummary& summary, const Film& film, const RenderCounters& counters,
+                  double seconds) {
+    summary.times.render = seconds;
     summary.samples = counters.samples.load();
     summary.rays = counters.rays.load();
     summary.non_finite = counters.non_finite.load();
@@ -71,7 +79,21 @@ struct Shared {
     Scene scene;
     double load_seconds = 0;  // told with the first picture
     std::optional<EnvironmentChoice> environment{};
+    std::optional<Checkpoint> resumed{};  // the first picture's
 };
+
+PassHooks hooks(const Film& film, Keeper& keeper, Progress& progress) {
+    bool told = false;
+    return {.stop = interrupted,
+            .watch =
+                [&progress, told](const ProgressState& state) mutable {
+                    if (interrupted() && !std::exchange(told, true))
+                        progress.note("finishing this pass; once more stops at once");
+                    progress.update(state);
+                },
+            .keep = [&film, &keeper](const RenderCounters& counters,
+                                     double seconds) { keeper.keep(film, counters, seconds); }};
+}
 
 void record_warnings(const RenderSummary& summary, const std::string& file,
                      Diagnostics& diagnostics) {
@@ -79,6 +101,22 @@ void record_warnings(const RenderSummary& summary, const std::string& file,
         diagnostics.warn(
             file, "",
             fmt::format("{} samples were not finite and count as black", summary.non_finite));
+}
+
+SceneFingerprint fingerprint(const Shared& shared) {
+    const EnvironmentChoice& environment = *shared.environment;
+    return {shared.scene.hash, environment.hash.empty() ? environment.name : environment.hash};
+}
+
+Result<RenderJob> make_job(const RenderOptions& options, const Scene& scene, const FlatScene& flat,
+                           const CameraData& camera, const std::optional<PoseRecord>& next_pose) {
+    RenderJob job{camera, make_params(options, flat), make_filter_table(options.filter)};
+    if (!next_pose) return job;
+    const float aspect = float(options.width) / float(options.height);
+    HM_TRY_ASSIGN(const CameraChoice next,
+                  choose_camera(options.view, scene, next_pose->world, flat.bounds, aspect));
+    job.next_camera = next.data;
+    return job;
 }
 
 // One picture. It borrows the environment's tables.
@@ -116,32 +154,45 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
     Film film(options.crop.value_or(PixelRect{0, 0, options.width, options.height}),
               aovs.selection);
     RenderCounters counters;
-    RenderJob job{camera.data, make_params(options, flat), make_filter_table(options.filter)};
-    if (next_pose) {
-        HM_TRY_ASSIGN(
-            const CameraChoice next,
-            choose_camera(options.view, shared.scene, next_pose->world, flat.bounds, aspect));
-        job.next_camera = next.data;
-    }
-    HM_TRY_ASSIGN(
-        const PassResult passes,
-        render_passes(*renderer, job, film, counters,
-                      PassPlan{.samples = options.samples, .time = options.time}, interrupted,
-                      [&](const ProgressState& state) { progress.update(state); }));
+    HM_TRY_ASSIGN(const RenderJob job,
+                  make_job(options, shared.scene, flat, camera.data, next_pose));
+    summary.renderer = renderer->report();
+    Keeper keeper(
+        options, *renderer, picture_settings(options, job, film.selection, fingerprint(shared)),
+        aovs.names,
+        [&](const Film& so_far, const RenderCounters& counted, double seconds) {
+            RenderSummary now = summary;
+            now.renderer.device = devices_text(keeper.devices());
+            fill_results(now, so_far, counted, seconds);
+            return picture_metadata(options, now);
+        },
+        [&](std::string_view line) { progress.warning(line); });
+    HM_TRY(keeper.begin(std::exchange(shared.resumed, std::nullopt), film, counters));
+    HM_TRY_ASSIGN(const PassResult passes,
+                  render_passes(*renderer, job, film, counters, keeper.plan(),
+                                hooks(film, keeper, progress)));
     progress.finish();
     summary.renderer = renderer->report();
-    summary.times.render = passes.seconds;
+    summary.renderer.device = devices_text(keeper.devices());
     summary.interrupted = passes.interrupted;
-    fill_results(summary, film, counters);
+    fill_results(summary, film, counters, passes.seconds);
+    if (film.most_samples() == 0) {
+        progress.note("interrupted before the first sample: nothing is written");
+        return ExitCode::interrupted;
+    }
 
     start = Clock::now();
-    HM_TRY(write_all(options, film, aovs.names, summary));
+    summary.exposure = options.exposure ? *options.exposure : auto_exposure(film.resolve());
+    keeper.keep(film, counters, passes.seconds);
+    HM_TRY(say_where_kept(write_all(options, film, keeper.record(film, counters, passes.seconds)),
+                          options, keeper));
     summary.times.write = seconds_since(start);
 
     record_warnings(summary, options.input, diagnostics);
     progress.note(summary_line(summary));
     if (options.json) HM_TRY(print(json_report(options, summary, diagnostics)));
     shared.environment->map = std::move(flat.environment);
+    HM_TRY(keeper.kept());
     return summary.interrupted ? ExitCode::interrupted : ExitCode::ok;
 }
 
@@ -158,12 +209,16 @@ Result<ExitCode> render(const RenderOptions& options) {
                       options.device, options.threads,
                       [&](const auto& index) { return open_vulkan_device(index, diagnostics); },
                       [&](std::string_view line) { progress.note(line); }));
+    HM_TRY_ASSIGN(std::optional<Checkpoint> resumed,
+                  read_checkpoint(options, [&](std::string_view line) { progress.note(line); }));
     const Clock::time_point start = Clock::now();
     HM_TRY_ASSIGN(Scene scene, load_gltf(options.scene_file, diagnostics, options.load));
     Shared shared{std::move(device), std::move(scene), seconds_since(start)};
     catch_interrupts();
     ExitCode code = ExitCode::ok;
-    const FrameRange range = options.frames.value_or(FrameRange{});
+    FrameRange range = options.frames.value_or(FrameRange{});
+    if (resumed && resumed->record.frame) range.first = *resumed->record.frame;
+    shared.resumed = std::move(resumed);
     for (std::uint32_t n = range.first; n <= range.last && code == ExitCode::ok; ++n) {
         HM_TRY_ASSIGN(code, draw(options.frames ? frame_options(options, n) : options, shared,
                                  progress, diagnostics));

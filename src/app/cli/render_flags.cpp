@@ -9,6 +9,7 @@
 #include "app/cli/devices.h"
 #include "app/cli/flag.h"
 #include "app/cli/frames.h"
+#include "app/cli/keep_flags.h"
 #include "app/cli/layer_flags.h"
 #include "app/cli/load_flags.h"
 #include "app/cli/tone_flags.h"
@@ -69,7 +70,7 @@ void add_sampling(CLI::App& app, RenderOptions& o) {
         "Samples per pixel (64; with --time alone as many as fit)");
     add(app, "--time", "SECONDS", o.time, number(0.001f, 1e9f),
         "Stop after this much wall-clock time of rendering, but not before each pixel has a "
-        "sample");
+        "sample; time before --resume counts");
     add(app, "--seed", "N", o.seed, integer(0, 0xffffffffu), "Another number, other noise (0)");
     add(
         app, "--sampler", "NAME", o.sampler,
@@ -211,6 +212,8 @@ void add_render_flags(CLI::App& app, RenderOptions& options) {
     add_group(app, "Files", add_files, options);
     add_group(app, "Scene", add_load_flags, options.load);
     add_group(app, "Sampling", add_sampling, options);
+    add_group(app, "Long renderings", add_keep_flags, options.keep);
+    app.get_option("--samples")->excludes("--spp")->excludes("--time");
     add_group(app, "View", add_view, options.view);
     add_group(app, "Animation", add_animation, options);
     add_group(app, "Light", add_light, options);
@@ -251,7 +254,7 @@ Result<void> check_render_options(const RenderOptions& o) {
                                      path.string()));
         HM_TRY(check_writable(o.frames ? frame_path(path, o.frames->first) : path));
     }
-    return {};
+    return check_keep_options(o);
 }
 
 }  // namespace hm::cli

@@ -1,0 +1,22 @@
+// `himalaya merge`: parts of a rendering, each a range of the samples, joined to the whole.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <vector>
+
+#include "base/result.h"
+
+namespace hm::cli {
+
+struct MergeOptions {
+    std::vector<std::filesystem::path> parts, outputs;
+    bool part = false;  // write a part again
+};
+
+// Must outlive the parsing; flags throw CLI::ParseError.
+void add_merge_flags(CLI::App& app, MergeOptions& options);
+
+Result<ExitCode> merge(const MergeOptions& options);
+
+}  // namespace hm::cli
