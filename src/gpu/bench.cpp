@@ -99,7 +99,7 @@ Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const R
     }));
     HM_TRY(count_rays(device, rays, rates));
 
-    variant.usual = !variant.reorder && is_usual(params);
+    variant.usual = is_usual(params);
     HM_TRY_ASSIGN(const PathTracingPass* paths, context.path_tracing(variant));
     HM_TRY_ASSIGN(rates.path_ms, median_ms(device, repeats, [&](rhi::Commands& commands) {
                       paths->record(commands, scene,

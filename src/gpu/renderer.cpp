@@ -114,6 +114,7 @@ Result<void> VulkanRenderer::make_aovs(const RenderJob& job) {
     PathTracingVariant variant;
     variant.aovs = with_aovs;
     variant.usual = !with_aovs && is_usual(job.params);
+    variant.reorder = !with_aovs && device.limits().reorders_rays;
     HM_TRY_ASSIGN(pass_, context_.path_tracing(variant));
     aovs_.reset();
     surfaces_.clear();

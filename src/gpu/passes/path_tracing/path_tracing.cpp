@@ -16,6 +16,7 @@
 #include "shaders/reference_view_reorder.h"
 #include "shaders/reference_view_rgen.h"
 #include "shaders/reference_view_usual.h"
+#include "shaders/reference_view_usual_reorder.h"
 #include "shaders/shadow_anyhit.h"
 #include "shaders/shadow_miss_rmiss.h"
 #include "shading/path/types.h"
@@ -60,17 +61,16 @@ rhi::RayTracingPipelineInfo stages_of(PathTracingVariant variant) {
     } else if (variant.record) {
         info.name = "path tracing, recorded";
         info.ray_generation = shaders::reference_view_record();
-    } else if (variant.reorder) {
-        info.name = "path tracing, reordered";
-        info.ray_generation = shaders::reference_view_reorder();
     } else if (variant.usual) {
         info.name = "path tracing, usual settings";
-        info.ray_generation = shaders::reference_view_usual();
+        info.ray_generation = variant.reorder ? shaders::reference_view_usual_reorder()
+                                              : shaders::reference_view_usual();
         info.misses[0] = shaders::miss_usual();
         info.hit_groups[0] = {shaders::closesthit_usual(), shaders::anyhit_usual()};
     } else {
         info.name = "path tracing";
-        info.ray_generation = shaders::reference_view_rgen();
+        info.ray_generation =
+            variant.reorder ? shaders::reference_view_reorder() : shaders::reference_view_rgen();
     }
     return info;
 }
