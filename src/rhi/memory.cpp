@@ -22,9 +22,11 @@ VmaAllocationCreateInfo allocation_info(MemoryKind kind) {
     info.usage = VMA_MEMORY_USAGE_AUTO;
     switch (kind) {
         case MemoryKind::device:
-            // Drivers would rather move memory to the host than refuse: much slower, unsaid.
+            // Drivers would rather move memory to the host than refuse, and the allocator tries
+            // the host's next: much slower, unsaid.
             info.flags = VMA_ALLOCATION_CREATE_WITHIN_BUDGET_BIT;
             info.usage = VMA_MEMORY_USAGE_AUTO_PREFER_DEVICE;
+            info.requiredFlags = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
             break;
         case MemoryKind::upload:
             info.flags = VMA_ALLOCATION_CREATE_MAPPED_BIT |
