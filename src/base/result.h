@@ -19,6 +19,7 @@ enum class ExitCode : int {
                         // or no library to denoise with
     device_failed = 8,  // a device that we had ran out of memory or was lost
     warned = 10,        // `info` only: the file renders, with warnings
+    different = 11,     // `compare` only: the pictures differ more than the flags allow
     interrupted = 130,
 };
 

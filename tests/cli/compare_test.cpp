@@ -103,14 +103,14 @@ TEST_F(Compare, LimitsDecideTheExitCode) {
     options.max_rmse = 0.26f;
     EXPECT_EQ(run(options), ExitCode::ok);
     options.max_rmse = 0.24f;
-    EXPECT_EQ(run(options), kDifferent);
+    EXPECT_EQ(run(options), ExitCode::different);
     EXPECT_NE(printed_.find("beauty: RMSE is 0.25, above 0.24"), std::string::npos) << printed_;
     options.max_rmse.reset();
     options.max_flip = 0.0f;
-    EXPECT_EQ(run(options), kDifferent);
+    EXPECT_EQ(run(options), ExitCode::different);
     options.max_flip = 1.0f;
     options.max_relmse = 0.5f;
-    EXPECT_EQ(run(options), kDifferent);
+    EXPECT_EQ(run(options), ExitCode::different);
 }
 
 TEST_F(Compare, NotFiniteIsNamed) {
@@ -125,7 +125,7 @@ TEST_F(Compare, NotFiniteIsNamed) {
     EXPECT_EQ(double(layer()["rmse"]), 0.0);
     EXPECT_EQ(double(layer()["flip"]), 0.0);
     options.max_flip = 1.0f;
-    EXPECT_EQ(run(options), kDifferent);
+    EXPECT_EQ(run(options), ExitCode::different);
     options.json = false;
     run(options);
     EXPECT_NE(printed_.find("2 pixels of " + options.test.string() + " are not finite"),
@@ -165,7 +165,7 @@ TEST_F(Compare, LayersAreNamed) {
     EXPECT_EQ(std::string_view(layer()["name"]), "albedo=beauty");
     EXPECT_EQ(double(layer()["rmse"]), 0.0);
     options.layers = {"all"};
-    EXPECT_EQ(run(options), kDifferent);
+    EXPECT_EQ(run(options), ExitCode::different);
     EXPECT_EQ(text_at("/only_in_test/0"), "albedo");
     EXPECT_EQ(double(layer(1)["rmse"]), 2.0);
 }
@@ -228,7 +228,7 @@ TEST_F(Compare, VarianceLayersGiveAZTest) {
     EXPECT_EQ(run(options), ExitCode::ok);  // reported, no limit
     EXPECT_FALSE(bool(layer()["z_test"]["agree"]));
     options.z_test = true;
-    EXPECT_EQ(run(options), kDifferent);
+    EXPECT_EQ(run(options), ExitCode::different);
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ Result<ExitCode> compare(const CompareOptions& options) {
     HM_TRY(print(options.json ? compare_json(options, report) : compare_text(options, report)));
     const bool different = !report.exceeded.empty() || !report.only_test.empty() ||
                            !report.only_reference.empty() || !report.different_channels.empty();
-    return different ? kDifferent : ExitCode::ok;
+    return different ? ExitCode::different : ExitCode::ok;
 }
 
 }  // namespace hm::cli

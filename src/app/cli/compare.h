@@ -12,9 +12,6 @@
 
 namespace hm::cli {
 
-// The pictures differ more than the flags allow. One of the program's exit codes.
-inline constexpr ExitCode kDifferent{11};
-
 struct CompareOptions {
     std::filesystem::path test, reference;
     std::vector<std::string> layers;  // empty: the beauty; "all": every layer of either
@@ -28,7 +25,7 @@ struct CompareOptions {
 // Must outlive the parsing; flags throw CLI::ParseError.
 void add_compare_flags(CLI::App& app, CompareOptions& options);
 
-// ok, kDifferent where a limit is exceeded, or why the two can't be compared.
+// ok, `different` where a limit is exceeded, or why the two can't be compared.
 Result<ExitCode> compare(const CompareOptions& options);
 
 }  // namespace hm::cli
