@@ -202,12 +202,22 @@ Findings check_devices(const Machine& m) {
     return findings;
 }
 
+// Nothing but --denoise needs it, so its absence is no fault of the machine.
+Findings check_denoiser(const Machine& m) {
+    const DenoiserFacts& d = m.denoiser;
+    if (!d.trouble.empty()) return {{Level::note, "denoiser", d.trouble}};
+    std::string others;
+    for (std::size_t i = 1; i < d.devices.size(); ++i)
+        others += (i == 1 ? ", also " : ", ") + d.devices[i];
+    return {{Level::good, "denoiser", fmt::format("{}{} ({})", d.fastest, others, d.path)}};
+}
+
 }  // namespace
 
 const std::vector<Check>& all_checks() {
-    static const std::vector<Check> kChecks = {check_cpu,    check_memory,  check_build,
-                                               check_loader, check_drivers, check_nodes,
-                                               check_devices};
+    static const std::vector<Check> kChecks = {check_cpu,     check_memory,  check_build,
+                                               check_loader,  check_drivers, check_nodes,
+                                               check_devices, check_denoiser};
     return kChecks;
 }
 

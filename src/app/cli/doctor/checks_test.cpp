@@ -35,6 +35,10 @@ Machine healthy() {
     m.nodes = {{"/dev/dri/renderD128", true}, {"/dev/nvidiactl", true}};
     m.nvidia_kernel_driver = "580.159.04";
     m.devices = {make_device("NVIDIA Fake 3000", false, true)};
+    m.denoiser = {"/opt/lib/libOpenImageDenoise.so.2",
+                  "Open Image Denoise 2.5.1 on cuda (Fake)",
+                  {"cuda (Fake)", "cpu (Fake CPU)"},
+                  ""};
     return m;
 }
 
@@ -56,6 +60,23 @@ bool says(const std::string& text, const std::string& part) {
 
 TEST(Doctor, FindsNothingWrongWithAHealthyMachine) {
     EXPECT_EQ(warnings_of(healthy()), "");
+}
+
+TEST(Doctor, TellsOfTheDenoiserAndForgivesItsAbsence) {
+    const auto denoiser = [](const Machine& m) {
+        for (const Finding& f : check_all(m))
+            if (f.subject == "denoiser") return f;
+        return Finding{Level::warning, "", ""};
+    };
+    Machine m = healthy();
+    EXPECT_EQ(denoiser(m).level, Level::good);
+    EXPECT_EQ(denoiser(m).text,
+              "Open Image Denoise 2.5.1 on cuda (Fake), also cpu (Fake CPU) "
+              "(/opt/lib/libOpenImageDenoise.so.2)");
+    m.denoiser = {"", "", {}, "it is not there; scripts/fetch-oidn.sh gets it"};
+    EXPECT_EQ(denoiser(m).level, Level::note);
+    EXPECT_TRUE(says(denoiser(m).text, "fetch-oidn.sh"));
+    EXPECT_EQ(warnings_of(m), "");
 }
 
 TEST(Doctor, EveryWarningSaysWhatToDo) {

@@ -12,6 +12,8 @@
 #include <system_error>
 
 #include "cpu/render.h"
+#include "film/denoise.h"
+#include "film/oidn_library.h"
 
 namespace hm::cli {
 namespace {
@@ -71,6 +73,24 @@ std::string nvidia_kernel_driver() {
     return "";
 }
 
+DenoiserFacts examine_denoiser() {
+    DenoiserFacts facts;
+    const Result<oidn::Library> library = oidn::load_library();
+    if (!library) {
+        facts.trouble = library.error().message;
+        return facts;
+    }
+    facts.path = library->file.string();
+    for (const oidn::PhysicalDevice& device : oidn::physical_devices(*library))
+        facts.devices.push_back(fmt::format("{} ({})", type_name(device.type), device.name));
+    const Result<Denoiser> denoiser = Denoiser::open(DenoiseDevice::fastest, 0);
+    if (denoiser)
+        facts.fastest = denoiser->description();
+    else
+        facts.trouble = denoiser.error().message;
+    return facts;
+}
+
 }  // namespace
 
 Machine examine_machine() {
@@ -94,6 +114,7 @@ Machine examine_machine() {
         m.devices = std::move(*devices);
     else
         m.devices_trouble = devices.error().line();
+    m.denoiser = examine_denoiser();
     return m;
 }
 

@@ -30,6 +30,14 @@ struct DeviceNode {
     bool may_use = false;  // this user may read and write it
 };
 
+// The library that --denoise needs.
+struct DenoiserFacts {
+    std::string path;
+    std::string fastest;               // "Open Image Denoise 2.5.1 on cpu (...)"
+    std::vector<std::string> devices;  // "cpu (AMD EPYC)", the fastest first
+    std::string trouble;               // why there is none, and how to get it
+};
+
 struct Machine {
     CpuFacts cpu;
     MemoryFacts memory;
@@ -46,6 +54,8 @@ struct Machine {
 
     std::vector<VulkanDevice> devices;
     std::string devices_trouble;  // why none could be listed
+
+    DenoiserFacts denoiser;
 };
 
 // Opens drivers, so it takes as long as they do.
