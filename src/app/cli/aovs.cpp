@@ -12,7 +12,9 @@ AovSelection select_aovs(const RenderOptions& options) {
     for (const AovInfo& info : all_aovs()) {
         const auto& chosen = options.layers.aovs;
         const bool wanted = std::find(chosen.begin(), chosen.end(), info.aov) != chosen.end();
-        if (wanted || (info.aov == Aov::light_groups && options.layers.light_groups))
+        const bool guides = info.aov == Aov::albedo || info.aov == Aov::normal;
+        if (wanted || (options.denoise && guides) ||
+            (info.aov == Aov::light_groups && options.layers.light_groups))
             selection.aovs.push_back(info.aov);
     }
     selection.sample_variance = options.sampler == kSamplerIndependent;

@@ -17,12 +17,16 @@
 namespace hm::cli {
 namespace {
 
-Result<Image> guide(const DenoiseOptions& options, const LayeredImage& picture, const char* name) {
+tl::unexpected<Error> lacks(std::string what) {
+    return fail(ExitCode::invalid, "", "", std::move(what));
+}
+
+Result<Image> guide(const LayeredImage& picture, const char* name) {
     if (const Layer* layer = picture.find(name)) return layer_image(picture, *layer);
-    return fail(ExitCode::invalid, options.input.string(), "",
-                fmt::format("has no layer \"{}\" to guide the denoiser: render with --denoise or "
-                            "--aov albedo,normal, or give --without-guides",
-                            name));
+    return lacks(
+        fmt::format("has no layer \"{}\" to guide the denoiser: render with --denoise or "
+                    "--aov albedo,normal, or give --without-guides",
+                    name));
 }
 
 // In place of an earlier one.
@@ -45,16 +49,15 @@ void set_metadata(LayeredImage& picture, const std::string& key, std::string val
 }
 
 Result<void> write_one(const std::filesystem::path& path, const DenoiseOptions& options,
-                       const LayeredImage& picture, const Denoised& denoised, bool alpha) {
-    if (picture_kind(path) == PictureKind::exr) return write_layers(path, picture);
+                       const LayeredImage& picture, const Image& denoised) {
     const PictureWindow& data = picture.data;
-    const float exposure = options.exposure ? *options.exposure : auto_exposure(denoised.picture);
+    const float exposure = options.exposure ? *options.exposure : auto_exposure(denoised);
     // Dither follows the whole picture, whose pixels may have begun at a negative number.
     const auto x = std::uint32_t(std::max(data.x0 - picture.display.x0, 0));
     const auto y = std::uint32_t(std::max(data.y0 - picture.display.y0, 0));
-    return write_picture(path, denoised.picture, picture,
+    return write_picture(path, denoised, picture,
                          {.crop = {x, y, x + data.width(), y + data.height()},
-                          .alpha = alpha,
+                          .alpha = picture.find("")->find("A") != nullptr,
                           .tone = {exposure, options.tone_curve}});
 }
 
@@ -80,8 +83,8 @@ std::string report(const DenoiseOptions& options, const std::string& device,
 
 }  // namespace
 
-void add_denoise_device(CLI::App& app, const std::string& flag, DenoiseDevice& device) {
-    add(
+CLI::Option* add_denoise_device(CLI::App& app, const std::string& flag, DenoiseDevice& device) {
+    return add(
         app, flag, "NAME", device,
         [](const std::string& text) {
             return parse_choice<DenoiseDevice>(text, {{"auto", DenoiseDevice::fastest},
@@ -111,9 +114,9 @@ void add_denoise_flags(CLI::App& app, DenoiseOptions& o) {
         ->allow_extra_args(false)
         ->required();
     add_denoise_device(app, "--device", o.device);
-    CLI::Option* none = app.add_flag("--without-guides", o.without_guides,
+    CLI::Option* none = app.add_flag("--without-guides", o.guidance.without,
                                      "Denoise by the colours alone: details are lost");
-    app.add_flag("--clean-guides", o.clean_guides,
+    app.add_flag("--clean-guides", o.guidance.clean,
                  "The albedo and normal layers are free of noise: use them as they are")
         ->excludes(none);
     add(
@@ -124,33 +127,47 @@ void add_denoise_flags(CLI::App& app, DenoiseOptions& o) {
     app.add_flag("--json", o.json, "Print JSON instead of text");
 }
 
+Result<Denoised> denoise_layers(const Denoiser& denoiser, LayeredImage& picture,
+                                const Guidance& guidance) {
+    const Layer* const noisy = picture.find("");
+    if (noisy == nullptr || !noisy->find("R") || !noisy->find("G") || !noisy->find("B"))
+        return lacks("has no picture: channels R, G and B without a layer's name");
+    const bool alpha = noisy->find("A") != nullptr;
+    const ChannelType type = noisy->find("R")->type;
+    const Image beauty = layer_image(picture, *noisy);
+    Image albedo, normal;
+    if (!guidance.without) {
+        HM_TRY_ASSIGN(albedo, guide(picture, "albedo"));
+        HM_TRY_ASSIGN(normal, guide(picture, "normal"));
+    }
+    HM_TRY_ASSIGN(Denoised denoised,
+                  denoiser.denoise({.beauty = &beauty,
+                                    .albedo = guidance.without ? nullptr : &albedo,
+                                    .normal = guidance.without ? nullptr : &normal,
+                                    .alpha = alpha,
+                                    .clean_guides = guidance.clean}));
+    Layer layer = make_layer(kDenoisedLayer, denoised.picture, alpha);
+    for (LayerChannel& channel : layer.channels)
+        channel.type = type;
+    set_layer(picture, std::move(layer));
+    set_metadata(picture, "denoiser", denoiser.description());
+    return denoised;
+}
+
 Result<ExitCode> denoise(const DenoiseOptions& options) {
     for (const std::filesystem::path& path : options.outputs)
         HM_TRY(check_writable(path));
     HM_TRY_ASSIGN(LayeredImage picture, read_layers(options.input));
-    const Layer* const noisy = picture.find("");
-    if (noisy == nullptr || !noisy->find("R") || !noisy->find("G") || !noisy->find("B"))
-        return fail(ExitCode::invalid, options.input.string(), "",
-                    "has no picture: channels R, G and B without a layer's name");
-    const bool alpha = noisy->find("A") != nullptr;
-    const Image beauty = layer_image(picture, *noisy);
-    Image albedo, normal;
-    if (!options.without_guides) {
-        HM_TRY_ASSIGN(albedo, guide(options, picture, "albedo"));
-        HM_TRY_ASSIGN(normal, guide(options, picture, "normal"));
-    }
     HM_TRY_ASSIGN(const Denoiser denoiser, Denoiser::open(options.device, options.threads));
-    HM_TRY_ASSIGN(const Denoised denoised,
-                  denoiser.denoise({.beauty = &beauty,
-                                    .albedo = options.without_guides ? nullptr : &albedo,
-                                    .normal = options.without_guides ? nullptr : &normal,
-                                    .alpha = alpha,
-                                    .clean_guides = options.clean_guides}));
-    set_layer(picture, make_layer(kDenoisedLayer, denoised.picture, alpha));
-    set_metadata(picture, "denoiser", denoiser.description());
+    Result<Denoised> denoised = denoise_layers(denoiser, picture, options.guidance);
+    if (!denoised) {
+        if (denoised.error().code == ExitCode::invalid)
+            denoised.error().file = options.input.string();
+        return tl::unexpected(std::move(denoised.error()));
+    }
     for (const std::filesystem::path& path : options.outputs)
-        HM_TRY(write_one(path, options, picture, denoised, alpha));
-    HM_TRY(print(report(options, denoiser.description(), denoised)));
+        HM_TRY(write_one(path, options, picture, denoised->picture));
+    HM_TRY(print(report(options, denoiser.description(), *denoised)));
     return ExitCode::ok;
 }
 

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "film/denoise.h"
+#include "image/layers.h"
 #include "shading/color.h"
 
 namespace hm::cli {
@@ -17,22 +19,32 @@ namespace hm::cli {
 // The layer that the denoised picture has in a file; the picture proper stays the noisy one.
 inline constexpr const char* kDenoisedLayer = "denoised";
 
+struct Guidance {
+    bool without = false;  // by the colours alone
+    bool clean = false;    // albedo and normal are free of noise
+};
+
 struct DenoiseOptions {
     std::filesystem::path input;
     std::vector<std::filesystem::path> outputs;
     DenoiseDevice device = DenoiseDevice::fastest;
-    bool without_guides = false;
-    bool clean_guides = false;
+    Guidance guidance;
     std::uint32_t threads = 0;  // 0: all
     std::uint32_t tone_curve = kToneNeutral;
     std::optional<float> exposure = 0.0f;  // none: auto
     bool json = false;
 };
 
+// Denoises the picture proper, guided by the layers albedo and normal, into the layer "denoised"
+// and says so in the metadata. Fails with ExitCode::invalid and no file's name where a layer is
+// missing.
+Result<Denoised> denoise_layers(const Denoiser& denoiser, LayeredImage& picture,
+                                const Guidance& guidance);
+
 // Both must outlive the parsing; flags throw CLI::ParseError.
 void add_denoise_flags(CLI::App& app, DenoiseOptions& options);
 // --denoise-device of `render`, --device here.
-void add_denoise_device(CLI::App& app, const std::string& flag, DenoiseDevice& device);
+CLI::Option* add_denoise_device(CLI::App& app, const std::string& flag, DenoiseDevice& device);
 
 Result<ExitCode> denoise(const DenoiseOptions& options);
 

@@ -144,7 +144,8 @@ Result<void> write_outputs(const MergeOptions& options, const Joined& joined) {
     const Film& film = joined.stored.film;
     const FilmLabel& label = joined.stored.label;
     if (!options.part)
-        return write_pictures(options.outputs, film, label.width, label.height, joined.record);
+        return write_pictures(options.outputs, film, label.width, label.height, joined.record)
+            .map([](const PicturesReport&) {});
     Result<void> outcome;
     for (const fs::path& path : options.outputs) {
         Result<void> written = write_film(

@@ -106,6 +106,9 @@ struct RenderOptions {
 
     LayerOptions layers;
 
+    bool denoise = false;
+    DenoiseDevice denoise_device = DenoiseDevice::fastest;
+
     std::uint32_t tone_curve = kToneNeutral;
     std::optional<float> exposure = 0.0f;  // none: auto
     bool json = false;

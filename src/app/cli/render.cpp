@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/cli/aovs.h"
+#include "app/cli/denoise.h"
 #include "app/cli/devices.h"
 #include "app/cli/frames.h"
 #include "app/cli/interrupt.h"
@@ -29,7 +30,8 @@ namespace hm::cli {
 namespace {
 
 // Of a range of the samples, .exr files are parts. All are tried, and the first error is returned.
-Result<void> write_all(const RenderOptions& options, const Film& film, const FilmRecord& record) {
+Result<void> write_all(const RenderOptions& options, const Film& film, const FilmRecord& record,
+                       const std::optional<Denoiser>& denoiser, RenderSummary& summary) {
     std::vector<std::filesystem::path> pictures;
     Result<void> outcome;
     for (const std::filesystem::path& path : options.outputs) {
@@ -38,8 +40,13 @@ Result<void> write_all(const RenderOptions& options, const Film& film, const Fil
         Result<void> written = is_part ? write_part(path, options, film, record) : Result<void>();
         if (!written && outcome) outcome = std::move(written);
     }
-    Result<void> written = write_pictures(pictures, film, options.width, options.height, record);
-    return outcome ? written : outcome;
+    const Result<PicturesReport> written = write_pictures(
+        pictures, film, options.width, options.height, record, denoiser ? &*denoiser : nullptr);
+    if (!written) return outcome ? tl::unexpected(written.error()) : outcome;
+    if (denoiser) summary.denoiser = denoiser->description();
+    summary.times.denoise = written->denoise_seconds;
+    summary.replaced_pixels = written->replaced_pixels;
+    return outcome;
 }
 
 // What could not be written is not lost where it is in the checkpoint.
@@ -76,6 +83,7 @@ void note_defaults(Progress& progress, const RenderSummary& summary) {
 // What the frames of a sequence share.
 struct Shared {
     std::unique_ptr<Device> device;
+    std::optional<Denoiser> denoiser;
     Scene scene;
     double load_seconds = 0;  // told with the first picture
     std::optional<EnvironmentChoice> environment{};
@@ -101,6 +109,11 @@ void record_warnings(const RenderSummary& summary, const std::string& file,
         diagnostics.warn(
             file, "",
             fmt::format("{} samples were not finite and count as black", summary.non_finite));
+    if (summary.replaced_pixels > 0)
+        diagnostics.warn(file, "",
+                         fmt::format("{} pixels were not finite; the denoiser took the mean of "
+                                     "their neighbours",
+                                     summary.replaced_pixels));
 }
 
 SceneFingerprint fingerprint(const Shared& shared) {
@@ -184,9 +197,10 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
     start = Clock::now();
     summary.exposure = options.exposure ? *options.exposure : auto_exposure(film.resolve());
     keeper.keep(film, counters, passes.seconds);
-    HM_TRY(say_where_kept(write_all(options, film, keeper.record(film, counters, passes.seconds)),
+    HM_TRY(say_where_kept(write_all(options, film, keeper.record(film, counters, passes.seconds),
+                                    shared.denoiser, summary),
                           options, keeper));
-    summary.times.write = seconds_since(start);
+    summary.times.write = seconds_since(start) - summary.times.denoise;
 
     record_warnings(summary, options.input, diagnostics);
     progress.note(summary_line(summary));
@@ -211,9 +225,13 @@ Result<ExitCode> render(const RenderOptions& options) {
                       [&](std::string_view line) { progress.note(line); }));
     HM_TRY_ASSIGN(std::optional<Checkpoint> resumed,
                   read_checkpoint(options, [&](std::string_view line) { progress.note(line); }));
+    std::optional<Denoiser> denoiser;
+    if (options.denoise) {
+        HM_TRY_ASSIGN(denoiser, Denoiser::open(options.denoise_device, options.threads));
+    }
     const Clock::time_point start = Clock::now();
     HM_TRY_ASSIGN(Scene scene, load_gltf(options.scene_file, diagnostics, options.load));
-    Shared shared{std::move(device), std::move(scene), seconds_since(start)};
+    Shared shared{std::move(device), std::move(denoiser), std::move(scene), seconds_since(start)};
     catch_interrupts();
     ExitCode code = ExitCode::ok;
     FrameRange range = options.frames.value_or(FrameRange{});

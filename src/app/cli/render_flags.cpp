@@ -177,6 +177,14 @@ void add_shading(CLI::App& app, RenderOptions& o) {
     add_tone_flags(app, o.exposure, o.tone_curve);
 }
 
+void add_denoising(CLI::App& app, RenderOptions& o) {
+    CLI::Option* denoise = app.add_flag(
+        "--denoise", o.denoise,
+        "Denoise the picture. .exr: it stays as rendered, and the layers denoised, albedo and "
+        "normal are added. .png and .hdr: the denoised picture");
+    add_denoise_device(app, "--denoise-device", o.denoise_device)->needs(denoise);
+}
+
 void add_checks(CLI::App& app, RenderOptions& o) {
     add(
         app, "--strategy", "NAME", o.strategy,
@@ -219,6 +227,7 @@ void add_render_flags(CLI::App& app, RenderOptions& options) {
     add_group(app, "Light", add_light, options);
     add_group(app, "Look", add_shading, options);
     add_group(app, "Layers", add_layer_flags, options.layers);
+    add_group(app, "Denoising", add_denoising, options);
     add_group(app, "For checking the renderer", add_checks, options);
 }
 

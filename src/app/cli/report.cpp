@@ -79,6 +79,7 @@ void write_times(JsonWriter& json, const RenderSummary& s) {
     json.field("load", s.times.load).field("flatten", s.times.flatten);
     json.field("upload", s.renderer.upload_seconds).field("build", s.renderer.build_seconds);
     json.field("prepare", s.times.prepare).field("render", s.times.render);
+    json.field("denoise", s.times.denoise);
     json.field("write", s.times.write).end_object();
 }
 
@@ -149,6 +150,7 @@ std::string json_report(const RenderOptions& options, const RenderSummary& summa
     json.field("clamp_removed_share", removed_share(summary));
     json.field("mean_luminance", summary.mean_luminance);
     if (summary.estimated_error) json.field("estimated_error", *summary.estimated_error);
+    if (!summary.denoiser.empty()) json.field("denoiser", summary.denoiser);
     json.field("interrupted", summary.interrupted);
     json.key("outputs").begin_array();
     for (const std::filesystem::path& path : options.outputs)
@@ -163,10 +165,12 @@ std::string json_report(const RenderOptions& options, const RenderSummary& summa
 std::string summary_line(const RenderSummary& s) {
     return fmt::format(
         "{}{:.6g} samples/pixel on {}, {:.2f} Mrays/s; load {:.2f} s, prepare {:.2f} s, "
-        "render {:.2f} s, write {:.2f} s",
+        "render {:.2f} s, {}write {:.2f} s",
         s.interrupted ? "interrupted at " : "", s.samples_per_pixel, s.renderer.device,
         per_second(s.rays, s.times.render) * 1e-6, s.times.load + s.times.flatten, s.times.prepare,
-        s.times.render, s.times.write);
+        s.times.render,
+        s.denoiser.empty() ? "" : fmt::format("denoise {:.2f} s, ", s.times.denoise),
+        s.times.write);
 }
 
 }  // namespace hm::cli

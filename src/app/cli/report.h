@@ -19,6 +19,7 @@ struct StageTimes {
     double flatten = 0;  // environment included
     double prepare = 0;  // upload and acceleration structure
     double render = 0;
+    double denoise = 0;
     double write = 0;
 };
 
@@ -40,6 +41,8 @@ struct RenderSummary {
     double removed_luminance = 0, mean_luminance = 0;  // by the clamp, and what is left
     std::optional<double> estimated_error;             // see film/variance.h
     std::string scene_hash;
+    std::string denoiser;               // empty: nothing was denoised
+    std::uint64_t replaced_pixels = 0;  // by the denoiser, not finite
     bool interrupted = false;
 };
 
