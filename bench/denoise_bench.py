@@ -51,22 +51,23 @@ class Bench:
         report = self.run("compare", path, reference, "--layer", layer, "--json")
         return {name: report["layers"][0][name] for name in MEASURES}
 
-    def denoised_otherwise(self, path, flag, reference):
-        other = self.folder / "other.exr"
-        self.run("denoise", path, "-o", other, flag, "--json")
-        return self.measure(other, "denoised=beauty", reference)
+    def denoise(self, path, reference, *flags):
+        denoised = self.folder / "denoised.exr"
+        report = self.run("denoise", path, "-o", denoised, *flags, "--device", "cpu", "--json")
+        return report, self.measure(denoised, "denoised=beauty", reference)
 
     def row(self, scene, samples):
         reference = self.reference(scene)
         results = []
         for seed in SEEDS:
             path = self.folder / f"{scene}_{samples}.exr"
-            report = self.render(scene, samples, seed, path, "--denoise")
+            self.render(scene, samples, seed, path, "--aov", "albedo,normal")
+            report, denoised = self.denoise(path, reference)
             results.append({
                 "raw": self.measure(path, "beauty", reference),
-                "denoised": self.measure(path, "denoised=beauty", reference),
-                "clean_guides": self.denoised_otherwise(path, "--clean-guides", reference),
-                "without_guides": self.denoised_otherwise(path, "--without-guides", reference)})
+                "denoised": denoised,
+                "clean_guides": self.denoise(path, reference, "--clean-guides")[1],
+                "without_guides": self.denoise(path, reference, "--without-guides")[1]})
         means = {kind: {name: float(f"{sum(r[kind][name] for r in results) / len(results):.4g}")
                         for name in MEASURES} for kind in results[0]}
         return report, {"scene": scene, "samples": samples, **means}
@@ -92,8 +93,8 @@ def main():
     commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"],
                             stdout=subprocess.PIPE, text=True).stdout.strip()
     lines = ",\n    ".join(json.dumps(row) for row in rows)
-    print(f'{{\n  "commit": "{commit}", "renderer": {json.dumps(report.get("renderer"))},\n'
-          f'  "denoiser": {json.dumps(report.get("denoiser"))},\n'
+    print(f'{{\n  "commit": "{commit}", "program": {json.dumps(report["program"])},\n'
+          f'  "denoiser": {json.dumps(report["denoiser"])},\n'
           f'  "size": "{SIZE}", "reference_samples": {REFERENCE_SAMPLES}, "seeds": {len(SEEDS)},\n'
           f'  "rows": [\n    {lines}\n  ]\n}}')
     bad = [(row["scene"], row["samples"], worse(row)) for row in rows if worse(row)]
