@@ -21,9 +21,9 @@ cp -r "$root"/build/vma/include "$work/source/build/vma/"
 # The packages that a build needs, and the libraries that those depend on but every system has.
 packages="libglm-dev libsimdjson-dev libsimdjson14 libopenexr-dev libopenexr-3-1-30 libimath-dev
     libimath-3-1-29 libspng-dev libspng0 libjpeg62-turbo-dev libjpeg62-turbo zlib1g-dev zlib1g
-    libtbb-dev libtbb12 libtbbbind-2-5 libtbbmalloc2 libcli11-dev libfmt-dev libfmt9 libexpected-dev
-    libvulkan-dev libvulkan1 libvulkan-volk-dev glslang-tools spirv-tools pkg-config pkgconf
-    pkgconf-bin libpkgconf3"
+    libtbb-dev libtbb12 libtbbbind-2-5 libtbbmalloc2 libxxhash-dev libxxhash0 libcli11-dev
+    libfmt-dev libfmt9 libexpected-dev libvulkan-dev libvulkan1 libvulkan-volk-dev glslang-tools
+    spirv-tools pkg-config pkgconf pkgconf-bin libpkgconf3"
 # shellcheck disable=SC2086  # one word per package
 dpkg-query -L $packages | sort -u | while read -r path; do
     case $path in
