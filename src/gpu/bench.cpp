@@ -14,20 +14,32 @@ constexpr std::uint32_t kMaxEvents = 32;
 
 using Record = std::function<void(rhi::Commands&)>;
 
-// The median of the device's milliseconds for one run of what `record` records; a first run warms.
+Result<double> timed_ms(rhi::Device& device, rhi::Timestamps& timestamps, const Record& record) {
+    HM_TRY(rhi::run_once(device, "bench", [&](rhi::Commands& commands) -> Result<void> {
+        timestamps.reset(commands);
+        timestamps.write(commands, 0);
+        record(commands);
+        timestamps.write(commands, 1);
+        return {};
+    }));
+    HM_TRY_ASSIGN(const std::vector<double> ms, timestamps.milliseconds(2));
+    return ms[1];
+}
+
+// The median of the device's milliseconds for one run of what `record` records. The runs before
+// are not counted: an idle card's clock needs a while of work to rise (seen: a fourth of its rate
+// for the first 0.3 s), and compiling a pipeline leaves it idle.
 Result<double> median_ms(rhi::Device& device, std::uint32_t repeats, const Record& record) {
+    constexpr double kWarmMilliseconds = 500;
     HM_TRY_ASSIGN(rhi::Timestamps timestamps, rhi::Timestamps::create(device, "bench", 2));
+    for (double warm = 0; warm < kWarmMilliseconds;) {
+        HM_TRY_ASSIGN(const double ms, timed_ms(device, timestamps, record));
+        warm += std::max(ms, 1.0);
+    }
     std::vector<double> times;
-    for (std::uint32_t i = 0; i <= repeats; ++i) {
-        HM_TRY(rhi::run_once(device, "bench", [&](rhi::Commands& commands) -> Result<void> {
-            timestamps.reset(commands);
-            timestamps.write(commands, 0);
-            record(commands);
-            timestamps.write(commands, 1);
-            return {};
-        }));
-        HM_TRY_ASSIGN(const std::vector<double> ms, timestamps.milliseconds(2));
-        if (i > 0) times.push_back(ms[1]);
+    for (std::uint32_t i = 0; i < repeats; ++i) {
+        HM_TRY_ASSIGN(const double ms, timed_ms(device, timestamps, record));
+        times.push_back(ms);
     }
     std::nth_element(times.begin(), times.begin() + std::ptrdiff_t(times.size() / 2), times.end());
     return times.empty() ? 0.0 : times[times.size() / 2];
