@@ -152,7 +152,8 @@ CommandLine parse(const Arguments& arguments) {
         const std::string name = option->get_single_name();
         if (option->count() > 0 &&
             std::find(kNotSettings.begin(), kNotSettings.end(), name) == kNotSettings.end())
-            options.given.emplace_back(name, option->results().front());
+            options.given.emplace_back(
+                name, option->get_items_expected_max() == 0 ? "" : option->results().front());
     }
     if (options.time && render.get_option("--spp")->count() == 0) options.samples = kMaxSamples;
     KeepOptions& keep = options.keep;

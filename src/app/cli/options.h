@@ -114,7 +114,8 @@ struct RenderOptions {
     bool json = false;
     bool quiet = false;
 
-    // Flags and values that shaped the picture, a demo's own first: for reports and metadata.
+    // Flags and values that shaped the picture, a demo's own first: for reports and metadata. The
+    // value of a flag that takes none is empty.
     std::vector<std::pair<std::string, std::string>> given;
 
     std::uint32_t sample_end() const { return keep.samples ? keep.samples->end : samples; }

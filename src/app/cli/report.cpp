@@ -37,7 +37,7 @@ std::string bias(const RenderOptions& options, const RenderSummary& summary) {
 std::string settings_line(const RenderOptions& options) {
     std::string line = options.input;
     for (const auto& [flag, value] : options.given)
-        line += fmt::format(" --{} {}", flag, value);
+        line += " --" + flag + (value.empty() ? "" : " " + value);
     return line;
 }
 
@@ -45,7 +45,7 @@ std::string settings_line(const RenderOptions& options) {
 void write_settings(JsonWriter& json, const RenderOptions& o, const RenderSummary& summary) {
     json.key("flags").begin_object();
     for (const auto& [flag, value] : o.given)
-        json.field(flag, value);
+        value.empty() ? json.field(flag, true) : json.field(flag, value);
     json.end_object().key("settings").begin_object();
     const PixelRect crop = o.crop.value_or(PixelRect{0, 0, o.width, o.height});
     json.field("width", o.width).field("height", o.height).key("crop").begin_array();
