@@ -18,7 +18,7 @@ enum class ExitCode : int {
     no_device = 7,      // there is no Vulkan loader or driver, or no device that has what we need;
                         // or no library to denoise with
     device_failed = 8,  // a device that we had ran out of memory or was lost
-    warned = 10,        // `info` only: the file renders, with warnings
+    warned = 10,        // `info`: the file renders, with warnings; `doctor`: only the CPU draws
     different = 11,     // `compare` only: the pictures differ more than the flags allow
     interrupted = 130,
 };

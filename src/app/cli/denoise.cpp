@@ -8,6 +8,7 @@
 #include "app/cli/flag.h"
 #include "app/cli/json_writer.h"
 #include "app/cli/output.h"
+#include "app/cli/output_flag.h"
 #include "app/cli/tone_flags.h"
 #include "app/cli/values.h"
 #include "base/files.h"
@@ -98,21 +99,10 @@ CLI::Option* add_denoise_device(CLI::App& app, const std::string& flag, DenoiseD
 
 void add_denoise_flags(CLI::App& app, DenoiseOptions& o) {
     app.add_option("FILE", o.input, "An .exr with the layers albedo and normal")->required();
-    const auto store = [&o](const std::vector<std::string>& paths) {
-        for (const std::string& path : paths) {
-            if (!picture_kind(path))
-                throw CLI::ValidationError("--output",
-                                           "\"" + path + "\" does not end in .exr, .png or .hdr");
-            o.outputs.emplace_back(path);
-        }
-    };
-    app.add_option_function<std::vector<std::string>>(
-           "-o,--output", store,
-           "Where to write; may be repeated. .exr: all layers of FILE and the layer \"denoised\". "
-           ".png and .hdr: the denoised picture")
-        ->type_name("PATH")
-        ->allow_extra_args(false)
-        ->required();
+    add_output_flag(
+        app, o.outputs,
+        "Where to write; may be repeated. .exr: all layers of FILE and the layer \"denoised\". "
+        ".png and .hdr: the denoised picture");
     add_denoise_device(app, "--device", o.device);
     CLI::Option* none = app.add_flag("--without-guides", o.guidance.without,
                                      "Denoise by the colours alone: details are lost");

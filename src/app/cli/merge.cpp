@@ -9,6 +9,7 @@
 
 #include "app/cli/checkpoint.h"
 #include "app/cli/output.h"
+#include "app/cli/output_flag.h"
 #include "app/cli/pictures.h"
 #include "base/files.h"
 #include "film/variance.h"
@@ -167,20 +168,7 @@ void add_merge_flags(CLI::App& app, MergeOptions& o) {
            "PART", add_all(o.parts),
            "Parts (render --samples) of one picture, in any order; checkpoints serve, too")
         ->required();
-    app.add_option_function<std::vector<std::string>>(
-           "-o,--output",
-           [&o](const std::vector<std::string>& paths) {
-               for (const std::string& path : paths) {
-                   if (!picture_kind(path))
-                       throw CLI::ValidationError(
-                           "--output", "\"" + path + "\" does not end in .exr, .png or .hdr");
-                   o.outputs.emplace_back(path);
-               }
-           },
-           "The picture, as render would write it; may be repeated")
-        ->type_name("PATH")
-        ->allow_extra_args(false)
-        ->required();
+    add_output_flag(app, o.outputs, "The picture, as render would write it; may be repeated");
     app.add_flag("--part", o.part, "Write a part again, to be joined with others later");
     app.footer(
         "Parts that overlap, leave samples out or are not of the same picture are refused with "

@@ -12,6 +12,7 @@
 #include "app/cli/keep_flags.h"
 #include "app/cli/layer_flags.h"
 #include "app/cli/load_flags.h"
+#include "app/cli/output_flag.h"
 #include "app/cli/tone_flags.h"
 #include "app/cli/values.h"
 #include "base/files.h"
@@ -34,22 +35,11 @@ void add_files(CLI::App& app, RenderOptions& o) {
     app.add_option("FILE", o.input,
                    "A .glb or .gltf file, or demo:NAME for a scene that comes along")
         ->required();
-    const auto store = [&o](const std::vector<std::string>& paths) {
-        for (const std::string& path : paths) {
-            if (!picture_kind(path))
-                throw CLI::ValidationError("--output",
-                                           "\"" + path + "\" does not end in .exr, .png or .hdr");
-            o.outputs.emplace_back(path);
-        }
-    };
-    app.add_option_function<std::vector<std::string>>(
-           "-o,--output", store,
-           "Where to write; may be repeated. .exr: linear, premultiplied floats. .png: exposed, "
-           "tone "
-           "mapped, 8-bit sRGB, straight alpha. .hdr: linear RGBE, no alpha")
-        ->type_name("PATH")
-        ->allow_extra_args(false)
-        ->required();
+    add_output_flag(
+        app, o.outputs,
+        "Where to write; may be repeated. .exr: linear, premultiplied floats. .png: exposed, "
+        "tone "
+        "mapped, 8-bit sRGB, straight alpha. .hdr: linear RGBE, no alpha");
     app.add_flag("--json", o.json, "Print one JSON report on standard output");
     app.add_flag("--quiet", o.quiet, "Print errors only");
 }
