@@ -193,7 +193,9 @@ Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& sce
     std::vector<FileNode> nodes;
     nodes.reserve(items.size());
     for (const Json& item : items) {
-        HM_TRY(read_node(item, source, {items.size(), skins.size()}, scene, nodes.emplace_back()));
+        FileNode& out = nodes.emplace_back();
+        out.node.index = static_cast<int>(nodes.size()) - 1;
+        HM_TRY(read_node(item, source, {items.size(), skins.size()}, scene, out));
     }
     HM_TRY(link_parents(source, nodes));
     HM_TRY_ASSIGN(const auto roots, choose_roots(root, source, nodes));

@@ -71,13 +71,16 @@ TEST(Nodes, ParentsFirstSiblingsInOrder) {
                        "[4,2]")));
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
     std::vector<std::string> names;
-    std::vector<int> parents;
+    std::vector<int> parents, indices;
     for (const Node& node : loaded.scene->nodes) {
         names.push_back(node.name);
         parents.push_back(node.parent);
+        indices.push_back(node.index);
     }
     EXPECT_EQ(names, (std::vector<std::string>{"4", "3", "1", "5", "0", "2"}));
     EXPECT_EQ(parents, (std::vector<int>{-1, 0, 1, 1, 0, -1}));
+    EXPECT_EQ(indices, (std::vector<int>{4, 3, 1, 5, 0, 2}));
+    EXPECT_EQ(place_of(loaded.scene->nodes[0]), "/nodes/4");
 }
 
 TEST(Nodes, ScenesAreChosen) {

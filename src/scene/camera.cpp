@@ -8,7 +8,7 @@ namespace {
 
 vec3 unit_or(vec3 v, vec3 fallback) {
     float squared = dot(v, v);
-    return squared > 1e-30f ? v / std::sqrt(squared) : fallback;
+    return squared > kLeastSquaredLength ? v / std::sqrt(squared) : fallback;
 }
 
 }  // namespace

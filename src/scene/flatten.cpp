@@ -115,7 +115,10 @@ void add_instance(FlatScene& flat, const Scene& scene, InstanceOrigin origin,
     const double determinant = glm::determinant(glm::dmat3(to_world));
     const glm::dmat4 to_object = glm::inverse(to_world);
     if (determinant == 0.0 || !all_finite(to_object)) {
-        diagnostics.warn(scene.file, "", "a node is scaled to nothing; its mesh is not drawn");
+        diagnostics.warn(scene.file, place_of(node),
+                         node.instances.empty()
+                             ? "a node is scaled to nothing; its mesh is not drawn"
+                             : "an instance is scaled to nothing; it is not drawn");
         return;
     }
     InstanceData instance{};
@@ -147,6 +150,19 @@ void add_instances(FlatScene& flat, const Scene& scene, const std::vector<glm::m
     }
 }
 
+// Of cameras and of lamps that shine along an axis.
+void warn_of_lost_directions(const Scene& scene, const std::vector<glm::mat4>& world,
+                             Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        const bool aimed_light =
+            node.light != kUnset && scene.lights[std::size_t(node.light)].kind != kLightPoint;
+        if ((node.camera == kUnset && !aimed_light) || has_direction(world[i])) continue;
+        diagnostics.warn(scene.file, place_of(node),
+                         "a camera or lamp is scaled to nothing; it looks along the world's -z");
+    }
+}
+
 void add_lights(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4>& world) {
     constexpr float pi = std::numbers::pi_v<float>;
     const float radius = std::clamp(flat.bounds.radius(), 1e-3f, 1e15f);
@@ -160,7 +176,7 @@ void add_lights(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4
         d.kind = light.kind;
         d.position = vec3(world[i][3]);
         vec3 axis = -vec3(world[i][2]);
-        d.direction = dot(axis, axis) > 0 ? normalize(axis) : vec3(0, 0, -1);
+        d.direction = has_direction(world[i]) ? normalize(axis) : vec3(0, 0, -1);
         d.color = light.color * light.intensity;
         d.range = light.range;
         float cos_outer = std::cos(light.outer_cone);
@@ -188,6 +204,7 @@ FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice ch
     add_materials(flat, scene);
     add_geometries(flat, scene);
     add_instances(flat, scene, world, diagnostics);
+    warn_of_lost_directions(scene, world, diagnostics);
     if (choice.punctual) add_lights(flat, scene, world);
     if (choice.emitters) add_emitters(flat);
     const double radius = std::clamp(double(flat.bounds.radius()), 1e-3, 1e15);

@@ -74,7 +74,7 @@ struct LightChoice {
 inline constexpr float kMaxLightPower = 1e30f;
 
 // Primitives with a normal map need tangents (scene/tangents prepares them).
-// Warns about what can't be drawn (instances scaled to nothing).
+// Warns about what is scaled to nothing: instances are not drawn, cameras and lamps lose their aim.
 FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice choice,
                   Diagnostics& diagnostics);
 

@@ -42,10 +42,39 @@ TEST(Flatten, NodesScaledToNothingAreLeftOutWithAWarning) {
     int quad = b.quad(vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), kUnset);
     b.place(quad, glm::scale(kOne, vec3(1, 0, 1)));
     b.place(quad);
+    b.place(quad, glm::scale(kOne, vec3(0)));
+    b.place(quad);
+    b.scene.nodes[0].index = 7;
+    b.scene.nodes[3].index = 5;
+    b.scene.nodes[3].instances = {kOne, glm::scale(kOne, vec3(0, 1, 1))};
     Diagnostics diagnostics;
     FlatScene flat = flatten(b.scene, {}, {}, diagnostics);
-    EXPECT_EQ(flat.instances.size(), 1u);
-    EXPECT_EQ(diagnostics.warnings().size(), 1u);
+    EXPECT_EQ(flat.instances.size(), 2u);
+    ASSERT_EQ(diagnostics.warnings().size(), 2u);
+    EXPECT_EQ(diagnostics.warnings()[0].place, "/nodes/7");
+    EXPECT_EQ(diagnostics.warnings()[0].count, 2u);
+    EXPECT_EQ(diagnostics.warnings()[1].place, "/nodes/5");
+}
+
+TEST(Flatten, LampsAndCamerasWithoutDirectionAreWarnedOf) {
+    SceneBuilder b;
+    const glm::mat4 nothing = glm::scale(kOne, vec3(0));
+    Light lamp;
+    b.light(lamp, nothing);  // shines everywhere
+    lamp.kind = kLightSpot;
+    b.light(lamp, nothing);
+    b.light(lamp);
+    Node eye;
+    eye.camera = 0;
+    eye.local = nothing;
+    b.scene.nodes.push_back(eye);
+    b.scene.nodes[1].index = 4;
+    Diagnostics diagnostics;
+    const FlatScene flat = flatten(b.scene, {}, {}, diagnostics);
+    EXPECT_EQ(flat.lights.at(1).direction, vec3(0, 0, -1));
+    ASSERT_EQ(diagnostics.warnings().size(), 1u);
+    EXPECT_EQ(diagnostics.warnings()[0].place, "/nodes/4");
+    EXPECT_EQ(diagnostics.warnings()[0].count, 2u);
 }
 
 TEST(Flatten, UnsetTexturesAndMaterialsHaveDefaults) {

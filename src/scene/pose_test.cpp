@@ -194,9 +194,11 @@ TEST(Morphing, EveryAttribute) {
 TEST(Posing, OverflowIsAnError) {
     Scene scene = morphed_scene();
     scene.nodes[0].weights = {0, 3e38f};
+    scene.nodes[0].index = 3;
     const auto posed = pose_scene(scene, std::nullopt);
     ASSERT_FALSE(posed);
     EXPECT_EQ(posed.error().code, ExitCode::invalid);
+    EXPECT_EQ(posed.error().place, "/nodes/3");
 }
 
 TEST(Posing, AnimationsByNameAndIndex) {

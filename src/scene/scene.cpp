@@ -1,6 +1,12 @@
 #include "scene/scene.h"
 
+#include <fmt/format.h>
+
 namespace hm {
+
+std::string place_of(const Node& node) {
+    return node.index == kUnset ? "" : fmt::format("/nodes/{}", node.index);
+}
 
 std::vector<bool> visible_nodes(const Scene& scene) {
     std::vector<bool> visible;

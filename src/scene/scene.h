@@ -99,6 +99,7 @@ struct Light {
 // Parents stand before their children, so one pass over the array computes world transforms.
 struct Node {
     std::string name;
+    int index = kUnset;  // among the file's nodes, for messages
     int parent = kUnset;
     glm::mat4 local{1};
     std::optional<Transform> rest;  // what `local` is where no animation moves the node
@@ -128,6 +129,9 @@ struct Scene {
     std::vector<Skin> skins;
     std::vector<Animation> animations;
 };
+
+// JSON pointer to the node in its file; empty for a node that no file has.
+std::string place_of(const Node& node);
 
 // Whether each node and all its ancestors are visible.
 std::vector<bool> visible_nodes(const Scene& scene);

@@ -24,4 +24,9 @@ glm::mat4 to_matrix(const Transform& transform) {
     return out;
 }
 
+bool has_direction(const glm::mat4& to_world) {
+    const vec3 axis(to_world[2]);
+    return dot(axis, axis) > kLeastSquaredLength;
+}
+
 }  // namespace hm

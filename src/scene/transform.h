@@ -13,4 +13,11 @@ struct Transform {
 
 glm::mat4 to_matrix(const Transform& transform);
 
+// Shorter vectors have no direction: the square has lost its digits.
+inline constexpr float kLeastSquaredLength = 1e-30f;
+
+// Whether a camera or lamp in this space still looks somewhere, along -z: not if it is scaled to
+// nothing.
+bool has_direction(const glm::mat4& to_world);
+
 }  // namespace hm

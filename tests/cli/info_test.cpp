@@ -219,6 +219,21 @@ TEST_F(Info, TellsOfTheSceneAskedFor) {
     }
 }
 
+// What arises when the scene is laid out names the file's node, not the place it got in the scene.
+TEST_F(Info, WarningsAfterLoadingHaveAPlace) {
+    InfoOptions o = write(R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual"],
+        "extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional"}]}},
+        "scenes":[{"nodes":[1]}],"nodes":[{"scale":[0,0,0],
+        "extensions":{"KHR_lights_punctual":{"light":0}}},{"children":[0]}]})");
+    EXPECT_NE(run(o).text.find("Warnings (1)\n  /nodes/0: "), std::string::npos) << run(o).text;
+    o.json = true;
+    const Printed printed = run(o);
+    EXPECT_EQ(printed.code, 10);
+    expect_fits_schema(printed.text);
+    EXPECT_NE(printed.text.find(R"("place": "/nodes/0")"), std::string::npos) << printed.text;
+    EXPECT_NE(printed.text.find(R"("file_index": 1)"), std::string::npos) << printed.text;
+}
+
 TEST_F(Info, RefusedFilesAsJson) {
     for (const char* text : {"hello", R"({"asset":{"version":"2.0"},"nodes":[{"mesh":1}]})"}) {
         const Printed printed = run(write(text, true));

@@ -103,6 +103,7 @@ void write_bounds(JsonWriter& json, const Bounds& bounds) {
 void write_nodes(JsonWriter& json, const Scene& scene) {
     write_list(json, "nodes", scene.nodes, [&](std::size_t, const Node& node) {
         json.field("name", node.name);
+        write_index(json, "file_index", node.index);
         write_index(json, "parent", node.parent);
         write_index(json, "mesh", node.mesh);
         write_index(json, "skin", node.skin);
