@@ -94,7 +94,7 @@ TEST(Lights, AllKinds) {
     EXPECT_EQ(lights[1].range, 5.0f);
     EXPECT_EQ(lights[2].kind, kLightSpot);
     EXPECT_EQ(lights[2].inner_cone, 0.0f);
-    EXPECT_NEAR(double{lights[2].outer_cone}, 0.785398163, 1e-7);
+    EXPECT_NEAR(double(lights[2].outer_cone), 0.785398163, 1e-7);
     EXPECT_EQ(lights[3].inner_cone, 0.25f);
     EXPECT_EQ(loaded.scene->nodes[0].light, 1);
 }

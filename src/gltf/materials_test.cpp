@@ -104,8 +104,8 @@ vec2 transformed(const std::string& transform, vec2 uv) {
 }
 
 void expect_near(vec2 a, vec2 b) {
-    EXPECT_NEAR(double{a.x}, double{b.x}, 1e-6);
-    EXPECT_NEAR(double{a.y}, double{b.y}, 1e-6);
+    EXPECT_NEAR(double(a.x), double(b.x), 1e-6);
+    EXPECT_NEAR(double(a.y), double(b.y), 1e-6);
 }
 
 TEST(TextureTransform, ExamplesOfTheExtension) {

@@ -35,7 +35,7 @@ TEST(Meshes, EveryAttribute) {
     ASSERT_EQ(p.vertices.size(), 3u);
     ASSERT_EQ(p.extras.size(), 3u);
     EXPECT_EQ(p.vertices[1].normal, vec3(0, 0, 1));  // normalised
-    EXPECT_NEAR(double{p.vertices[2].normal.y}, 0.6, 1e-7);
+    EXPECT_NEAR(double(p.vertices[2].normal.y), 0.6, 1e-7);
     EXPECT_EQ(p.vertices[1].tangent, vec4(1, 0, 0, -1));
     EXPECT_EQ(p.extras[2].uv1, vec2(0, 1));
     EXPECT_EQ(p.extras[0].color, vec4(1, 0, 51.0f / 255.0f, 1));
@@ -182,7 +182,7 @@ TEST(Meshes, BrokenNormalsAndTangents) {
     ASSERT_TRUE(normals.scene) << normals.scene.error().line();
     EXPECT_EQ(first(normals).vertices[0].normal, vec3(0));
     EXPECT_EQ(first(normals).vertices[1].normal, vec3(0));
-    EXPECT_NEAR(double{first(normals).vertices[2].normal.x}, std::sqrt(0.5), 1e-6);
+    EXPECT_NEAR(double(first(normals).vertices[2].normal.x), std::sqrt(0.5), 1e-6);
     EXPECT_EQ(normals.warned("/accessors/1", "some normals"), 1u);
 
     const Loaded tangents = load_text(document(
@@ -191,7 +191,7 @@ TEST(Meshes, BrokenNormalsAndTangents) {
     ASSERT_TRUE(tangents.scene) << tangents.scene.error().line();
     for (const Vertex& vertex : first(tangents).vertices) {
         const vec3 direction(vertex.tangent.x, vertex.tangent.y, vertex.tangent.z);
-        EXPECT_NEAR(double{length(direction)}, 1, 1e-6);
+        EXPECT_NEAR(double(length(direction)), 1, 1e-6);
         EXPECT_EQ(std::abs(vertex.tangent.w), 1.0f);
     }
     EXPECT_EQ(tangents.warned("/accessors/5", "some tangents"), 1u);

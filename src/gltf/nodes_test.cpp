@@ -21,7 +21,7 @@ glm::mat4 local(const std::string& node) {
 void expect_near(const glm::mat4& m, vec3 from, vec3 to) {
     const vec4 got = m * vec4(from, 1);
     for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(double{got[i]}, double{to[i]}, 1e-6);
+        EXPECT_NEAR(double(got[i]), double(to[i]), 1e-6);
     EXPECT_EQ(got.w, 1.0f);
 }
 
