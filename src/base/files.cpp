@@ -12,6 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/memory.h"
+
 namespace hm {
 namespace {
 
@@ -120,6 +122,8 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
 
     std::vector<std::byte> bytes;
     try {
+        bytes.reserve(static_cast<std::size_t>(info.st_size));
+        prefer_huge_pages(bytes.data(), bytes.capacity());
         bytes.resize(static_cast<std::size_t>(info.st_size));
     } catch (const std::exception&) {  // bad_alloc or length_error
         return unreadable(path, fmt::format("its {} bytes do not fit in memory", info.st_size));

@@ -5,16 +5,13 @@
 #include <cstddef>
 #include <new>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
+#include "base/memory.h"
 
 namespace hm {
 
 template <class T>
 struct HugePageAllocator {
     using value_type = T;
-    static constexpr std::size_t kHugePage = std::size_t(1) << 21;
 
     HugePageAllocator() = default;
     template <class U>
@@ -26,18 +23,13 @@ struct HugePageAllocator {
     T* allocate(std::size_t count) {
         const std::size_t bytes = count * sizeof(T);
         void* memory = ::operator new(bytes, alignment(bytes));
-#if defined(__linux__)
-        // Only a hint: without huge pages all works, more slowly.
-        if (bytes >= kHugePage) (void)madvise(memory, bytes, MADV_HUGEPAGE);
-#endif
+        prefer_huge_pages(memory, bytes);
         return static_cast<T*>(memory);
     }
     void deallocate(T* memory, std::size_t count) {
         ::operator delete(memory, alignment(count * sizeof(T)));
     }
-    bool operator==(const HugePageAllocator&) const {
-        return true;
-    }
+    bool operator==(const HugePageAllocator&) const { return true; }
 };
 
 }  // namespace hm

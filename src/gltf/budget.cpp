@@ -39,6 +39,7 @@ std::uint64_t json_memory(std::span<const std::byte> text) {
     constexpr std::uint64_t kValue = 24 + sizeof(Json);
     // Counted in pieces that a narrow sum holds, so that many bytes are looked at at once.
     constexpr std::size_t kPiece = 128;
+    const std::uint64_t length = text.size();
     std::uint64_t values = 0;
     for (; !text.empty(); text = text.subspan(std::min(kPiece, text.size()))) {
         std::uint8_t found = 0;
@@ -47,7 +48,7 @@ std::uint64_t json_memory(std::span<const std::byte> text) {
                 found + (b == std::byte(',') || b == std::byte('{') || b == std::byte('[')));
         values += found;
     }
-    return 2 * text.size() + kValue * values;
+    return 2 * length + kValue * values;
 }
 
 Result<void> check_memory(const Budget& budget, std::uint64_t bytes, const std::string& file,

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+
+#include "base/memory.h"
 
 namespace hm::gltf {
 namespace {
@@ -49,6 +52,26 @@ std::string escaped(std::string_view key) {
     return out;
 }
 
+bool is_compound(dom::element value) {
+    return value.is_array() || value.is_object();
+}
+
+// A key that is in the list twice, or nothing.
+std::optional<std::string_view> find_twice(std::span<std::string_view> keys) {
+    // Nearly all objects are so short that it costs least to compare all with all.
+    constexpr std::size_t kShort = 12;
+    if (keys.size() > kShort) {
+        std::sort(keys.begin(), keys.end());
+        const auto twice = std::adjacent_find(keys.begin(), keys.end());
+        return twice == keys.end() ? std::nullopt : std::optional(*twice);
+    }
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        if (std::find(keys.begin(), keys.begin() + std::ptrdiff_t(i), keys[i]) !=
+            keys.begin() + std::ptrdiff_t(i))
+            return keys[i];
+    return std::nullopt;
+}
+
 // The first key that stands twice in an object, anywhere below `value`: its tokens are put in
 // front of `place`. Which of the two values counts would depend on the reader. `open` holds the
 // keys of the objects around, and is left as it was.
@@ -57,7 +80,7 @@ bool find_repeated_key(dom::element value, std::vector<std::string_view>& open,
     if (value.is_array()) {
         std::size_t i = 0;
         for (const dom::element item : dom::array(value)) {
-            if (find_repeated_key(item, open, place)) {
+            if (is_compound(item) && find_repeated_key(item, open, place)) {
                 place = fmt::format("/{}{}", i, place);
                 return true;
             }
@@ -66,33 +89,43 @@ bool find_repeated_key(dom::element value, std::vector<std::string_view>& open,
         return false;
     }
     if (!value.is_object()) return false;
-    const auto first = std::ptrdiff_t(open.size());
+    const std::size_t first = open.size();
     for (const auto& [key, item] : dom::object(value)) {
         open.push_back(key);
-        if (!find_repeated_key(item, open, place)) continue;
+        if (!is_compound(item) || !find_repeated_key(item, open, place)) continue;
         place = fmt::format("/{}{}", escaped(key), place);
         return true;
     }
-    std::sort(open.begin() + first, open.end());
-    const auto twice = std::adjacent_find(open.begin() + first, open.end());
-    const bool found = twice != open.end();
-    if (found) place = fmt::format("/{}", escaped(*twice));
-    open.resize(std::size_t(first));
-    return found;
+    const auto twice = find_twice(std::span(open).subspan(first));
+    if (twice) place = fmt::format("/{}", escaped(*twice));
+    open.resize(first);
+    return twice.has_value();
 }
 
+// `value` is an array or an object.
 void count_extensions(dom::element value, std::map<std::string_view, std::size_t>& uses) {
     if (value.is_array())
         for (const dom::element item : dom::array(value))
-            count_extensions(item, uses);
+            if (is_compound(item)) count_extensions(item, uses);
     if (!value.is_object()) return;
     for (const auto& [key, item] : dom::object(value)) {
-        if (key == "extras") continue;
+        if (!is_compound(item) || key == "extras") continue;
         if (key == "extensions" && item.is_object())
             for (const auto& [name, extension] : dom::object(item))
                 ++uses[name];
         count_extensions(item, uses);
     }
+}
+
+// The parser's tables, filled from their beginnings and then larger than the text.
+simdjson::error_code allocate(dom::parser& parser, std::size_t text_size) {
+    if (const auto error = parser.allocate(text_size, kMaxJsonDepth)) return error;
+    if (const auto error = parser.doc.allocate(text_size)) return error;
+    prefer_huge_pages(parser.doc.tape.get(), text_size * sizeof(std::uint64_t));
+    prefer_huge_pages(parser.doc.string_buf.get(), text_size);
+    prefer_huge_pages(parser.implementation->structural_indexes.get(),
+                      text_size * sizeof(std::uint32_t));
+    return simdjson::SUCCESS;
 }
 
 }  // namespace
@@ -103,8 +136,12 @@ std::string excerpt(std::string_view text) {
     return fmt::format("\"{}...\"", text.substr(0, kLongest));
 }
 
+std::string Json::place() const {
+    return index_ == kNoElement ? place_ : element_place(place_, index_);
+}
+
 std::string Json::place_of(std::string_view key) const {
-    return key.empty() ? place_ : fmt::format("{}/{}", place_, key);
+    return key.empty() ? place() : fmt::format("{}/{}", place(), key);
 }
 
 bool Json::has(std::string_view key) const {
@@ -152,24 +189,24 @@ Result<std::optional<dom::array>> Json::array(std::string_view key) const {
     return values;
 }
 
-Result<Json> Json::to_object(dom::element value, std::string place) const {
-    if (!value.is_object()) return mistyped(std::move(place), "an object", value);
-    dom::element extensions;
-    if (value.at_key("extensions").get(extensions) == simdjson::SUCCESS) {
-        place += "/extensions";
-        if (!extensions.is_object()) return mistyped(std::move(place), "an object", extensions);
-        for (const auto& [name, extension] : dom::object(extensions))
-            if (!extension.is_object())
-                return mistyped(fmt::format("{}/{}", place, escaped(name)), "an object", extension);
-        place.resize(place.rfind('/'));
-    }
-    return Json(value, std::move(place), file_);
+Result<void> Json::check_object() const {
+    if (!value_.is_object()) return mistyped(place(), "an object", value_);
+    const auto extensions = find("extensions");
+    if (!extensions) return {};
+    if (!extensions->is_object()) return mistyped(place_of("extensions"), "an object", *extensions);
+    for (const auto& [name, extension] : dom::object(*extensions))
+        if (!extension.is_object())
+            return mistyped(fmt::format("{}/extensions/{}", place(), escaped(name)), "an object",
+                            extension);
+    return {};
 }
 
 Result<std::optional<Json>> Json::object(std::string_view key) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
-    return to_object(*found, place_of(key));
+    Json object(*found, place_of(key), file_);
+    HM_TRY(object.check_object());
+    return object;
 }
 
 Result<std::optional<Json>> Json::extension(std::string_view name) const {
@@ -185,16 +222,21 @@ std::map<std::string_view, std::size_t> Json::extension_uses() const {
 }
 
 Result<std::vector<Json>> Json::objects(std::string_view key) const {
-    HM_TRY_ASSIGN(const auto values, array(key));
     std::vector<Json> out;
-    if (!values) return out;
-    const std::string place = place_of(key);
-    out.reserve(values->size());
-    for (const dom::element value : *values) {
-        HM_TRY_ASSIGN(Json item, to_object(value, element_place(place, out.size())));
-        out.push_back(std::move(item));
-    }
+    HM_TRY_ASSIGN(const std::size_t length, count(key));
+    out.reserve(length);
+    HM_TRY(for_each_object(key, [&](const Json& item) -> Result<void> {
+        out.push_back(item);
+        return {};
+    }));
     return out;
+}
+
+Result<std::size_t> Json::count(std::string_view key) const {
+    HM_TRY_ASSIGN(const auto values, array(key));
+    if (!values) return std::size_t{0};
+    // The parser's own number stops at 2^24 - 1.
+    return static_cast<std::size_t>(std::distance(values->begin(), values->end()));
 }
 
 Result<std::vector<std::string_view>> Json::texts(std::string_view key) const {
@@ -321,7 +363,7 @@ Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
 }
 
 Result<Json> parse_json(dom::parser& parser, std::span<const std::byte> text,
-                        const std::string& file) {
+                        const std::string& file, std::size_t readable_behind) {
     const auto reject = [&](std::string message) {
         return hm::fail(ExitCode::invalid, file, "", std::move(message));
     };
@@ -332,12 +374,14 @@ Result<Json> parse_json(dom::parser& parser, std::span<const std::byte> text,
         return reject("is UTF-16 text; glTF is UTF-8");
 
     if (text.empty()) return reject("is empty");
-    simdjson::error_code status = parser.allocate(text.size(), kMaxJsonDepth);
+    simdjson::error_code status = allocate(parser, text.size());
     dom::element root;
     if (status == simdjson::SUCCESS)
-        // The copy it makes gives the text the padding that simdjson reads past the end.
-        status =
-            parser.parse(reinterpret_cast<const char*>(text.data()), text.size(), true).get(root);
+        // Where the text can't have the padding that simdjson reads past its end, a copy has it.
+        status = parser
+                     .parse(reinterpret_cast<const char*>(text.data()), text.size(),
+                            readable_behind < simdjson::SIMDJSON_PADDING)
+                     .get(root);
     if (status == simdjson::DEPTH_ERROR)
         return reject(fmt::format("is nested more than {} levels deep", kMaxJsonDepth));
     if (status == simdjson::UTF8_ERROR) return reject("is not valid UTF-8");

@@ -24,11 +24,13 @@ std::string excerpt(std::string_view text);
 
 class Json {
   public:
-    // `file` must outlive the value; so must the parser that made `value`.
-    Json(simdjson::dom::element value, std::string place, const std::string* file)
-        : value_(value), place_(std::move(place)), file_(file) {}
+    // `file` must outlive the value; so must the parser that made `value`. With an index the value
+    // is an element of the array at `place`.
+    Json(simdjson::dom::element value, std::string place, const std::string* file,
+         std::size_t index = kNoElement)
+        : value_(value), place_(std::move(place)), index_(index), file_(file) {}
 
-    const std::string& place() const { return place_; }
+    std::string place() const;
     std::string place_of(std::string_view key) const;
     bool has(std::string_view key) const;
     std::vector<std::string_view> keys() const;            // in the file's order
@@ -45,6 +47,10 @@ class Json {
     std::map<std::string_view, std::size_t> extension_uses() const;
     // An array of objects, of strings; empty where absent.
     Result<std::vector<Json>> objects(std::string_view key) const;
+    // The same one by one, for lists that are long: calls `visit` with each object, until it fails.
+    template <class Visit>
+    Result<void> for_each_object(std::string_view key, const Visit& visit) const;
+    Result<std::size_t> count(std::string_view key) const;  // of an array; 0 where absent
     Result<std::vector<std::string_view>> texts(std::string_view key) const;
 
     Result<bool> flag(std::string_view key) const;  // false where absent
@@ -74,9 +80,11 @@ class Json {
     }
 
   private:
+    static constexpr std::size_t kNoElement = ~std::size_t{0};
+
     std::optional<simdjson::dom::element> find(std::string_view key) const;
     Result<std::optional<simdjson::dom::array>> array(std::string_view key) const;
-    Result<Json> to_object(simdjson::dom::element value, std::string place) const;
+    Result<void> check_object() const;
     tl::unexpected<Error> mistyped(std::string place, std::string_view expected,
                                    simdjson::dom::element found) const;
     // `place` is a function: texts are made only where something is wrong.
@@ -87,11 +95,27 @@ class Json {
 
     simdjson::dom::element value_;
     std::string place_;
+    std::size_t index_;  // joined to the place where somebody asks: most values are never named
     const std::string* file_;
 };
 
-// Parses a whole document; its root must be an object.
+template <class Visit>
+Result<void> Json::for_each_object(std::string_view key, const Visit& visit) const {
+    HM_TRY_ASSIGN(const auto values, array(key));
+    if (!values) return {};
+    const std::string place = place_of(key);
+    std::size_t i = 0;
+    for (const simdjson::dom::element value : *values) {
+        const Json item(value, place, file_, i++);
+        HM_TRY(item.check_object());
+        HM_TRY(visit(item));
+    }
+    return {};
+}
+
+// Parses a whole document; its root must be an object. Where enough bytes behind the text may be
+// read, whatever they are, it need not be copied.
 Result<Json> parse_json(simdjson::dom::parser& parser, std::span<const std::byte> text,
-                        const std::string& file);
+                        const std::string& file, std::size_t readable_behind = 0);
 
 }  // namespace hm::gltf

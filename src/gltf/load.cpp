@@ -45,7 +45,9 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     HM_TRY(check_memory(source.budget, json_memory(container.json), file, ""));
     source.budget.kept_bytes -= json_memory(container.json);
     simdjson::dom::parser parser;
-    HM_TRY_ASSIGN(const Json root, parse_json(parser, container.json, file));
+    const auto behind_json = bytes.last(
+        bytes.size() - std::size_t(container.json.data() + container.json.size() - bytes.data()));
+    HM_TRY_ASSIGN(const Json root, parse_json(parser, container.json, file, behind_json.size()));
     HM_TRY(check_asset(root));
 
     HM_TRY(check_extensions(root, source));
@@ -66,9 +68,10 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     HM_TRY_ASSIGN(scene.skins, read_skins(root, source, scene_node, scene));
     HM_TRY(check_skinned_nodes(source, scene_node, scene));
     HM_TRY_ASSIGN(scene.animations, read_animations(root, source, scene_node, scene));
-    HM_TRY(separate_posed_meshes(source, scene));
-    if (std::any_of(scene.meshes.begin(), scene.meshes.end(), is_deformable))
+    if (std::any_of(scene.meshes.begin(), scene.meshes.end(), is_deformable)) {
+        HM_TRY(separate_posed_meshes(source, scene));
         HM_TRY(pose_scene(scene, std::nullopt));  // else all stands at rest already
+    }
     scene.hash = source.hash.text();
     return scene;
 }

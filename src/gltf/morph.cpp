@@ -121,8 +121,9 @@ Result<std::size_t> count_targets(const Json& mesh, const std::vector<Json>& pri
 }
 
 Result<std::vector<float>> read_weights(const Json& owner, std::size_t target_count) {
+    if (!owner.has("weights")) return std::vector<float>();
     HM_TRY_ASSIGN(std::vector<float> weights, owner.number_list("weights"));
-    if (owner.has("weights") && weights.size() != target_count)
+    if (weights.size() != target_count)
         return owner.invalid("weights", fmt::format("{} weights for {} morph targets",
                                                     weights.size(), target_count));
     return weights;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 
+#include "base/memory.h"
 #include "gltf/budget.h"
 #include "gltf/mesh_instancing.h"
 #include "gltf/morph.h"
@@ -14,22 +16,27 @@
 namespace hm::gltf {
 namespace {
 
-struct FileNode {
-    Node node;  // `parent` is an index of the file's nodes
-    std::vector<std::size_t> children;
+// How the file's nodes hang together, without the nodes themselves: they are read when it is known
+// where each one comes to stand.
+struct Hierarchy {
+    std::vector<int> parents;  // kUnset for roots
+    std::vector<int> children;
+    std::vector<std::size_t> child_ends{0};  // node i's children end at [i + 1], and begin at [i]
+
+    std::size_t size() const { return parents.size(); }
+    std::span<const int> children_of(std::size_t node) const {
+        return std::span(children).subspan(child_ends[node],
+                                           child_ends[node + 1] - child_ends[node]);
+    }
 };
 
 int to_int(const std::optional<std::size_t>& index) {
     return index ? static_cast<int>(*index) : kUnset;
 }
 
-tl::unexpected<Error> broken(const Source& source, std::size_t node, std::string message) {
+tl::unexpected<Error> broken(const Source& source, int node, std::string message) {
     return fail(ExitCode::invalid, source.file, fmt::format("/nodes/{}", node), std::move(message));
 }
-
-struct Counts {
-    std::size_t nodes, skins;
-};
 
 // KHR_node_visibility; whether the node's ancestors are visible is another matter.
 Result<bool> read_visible(const Json& item) {
@@ -38,41 +45,43 @@ Result<bool> read_visible(const Json& item) {
     return extension->flag("visible");
 }
 
-Result<void> read_node(const Json& item, Source& source, const Counts& counts, const Scene& scene,
-                       FileNode& out) {
-    HM_TRY_ASSIGN(out.node.name, item.name());
-    HM_TRY(read_transform(item, out.node));
-    HM_TRY_ASSIGN(const auto mesh, item.index("mesh", scene.meshes.size(), "meshes"));
-    HM_TRY_ASSIGN(const auto skin, item.index("skin", counts.skins, "skins"));
-    if (skin && !mesh) return item.invalid("skin", "a node without a mesh has no skin");
-    HM_TRY_ASSIGN(out.node.weights,
-                  read_weights(item, mesh ? scene.meshes[*mesh].weights.size() : 0));
-    HM_TRY_ASSIGN(const auto camera, item.index("camera", scene.cameras.size(), "cameras"));
-    HM_TRY_ASSIGN(out.children, item.indices("children", counts.nodes, "nodes"));
-    out.node.mesh = to_int(mesh);
-    out.node.skin = to_int(skin);
-    out.node.camera = to_int(camera);
-    HM_TRY_ASSIGN(out.node.visible, read_visible(item));
-    HM_TRY_ASSIGN(out.node.instances, read_instances(item, source));
-    if (!out.node.instances.empty() && (!mesh || skin)) {
+Result<void> read_extensions(const Json& item, Source& source, const Scene& scene, Node& out) {
+    HM_TRY_ASSIGN(out.visible, read_visible(item));
+    HM_TRY_ASSIGN(out.instances, read_instances(item, source));
+    if (!out.instances.empty() && (out.mesh == kUnset || out.skin != kUnset)) {
         source.warn(item.place(), "instances of no mesh or of a skinned one are not drawn");
-        out.node.instances.clear();
+        out.instances.clear();
     }
     HM_TRY_ASSIGN(const auto lights, item.extension("KHR_lights_punctual"));
-    if (lights) {
-        HM_TRY_ASSIGN(
-            const std::size_t light,
-            lights->required("light", lights->index("light", scene.lights.size(), "lights")));
-        out.node.light = static_cast<int>(light);
-    }
+    if (!lights) return {};
+    HM_TRY_ASSIGN(const std::size_t light,
+                  lights->required("light", lights->index("light", scene.lights.size(), "lights")));
+    out.light = static_cast<int>(light);
     return {};
 }
 
-// Sets the parents. Fails unless the nodes are strict trees (3.5.2).
-Result<void> link_parents(const Source& source, std::vector<FileNode>& nodes) {
+// All but its place in the hierarchy.
+Result<void> read_node(const Json& item, Source& source, std::size_t skin_count, const Scene& scene,
+                       Node& out) {
+    HM_TRY_ASSIGN(out.name, item.name());
+    HM_TRY(read_transform(item, out));
+    HM_TRY_ASSIGN(const auto mesh, item.index("mesh", scene.meshes.size(), "meshes"));
+    HM_TRY_ASSIGN(const auto skin, item.index("skin", skin_count, "skins"));
+    if (skin && !mesh) return item.invalid("skin", "a node without a mesh has no skin");
+    HM_TRY_ASSIGN(out.weights, read_weights(item, mesh ? scene.meshes[*mesh].weights.size() : 0));
+    HM_TRY_ASSIGN(const auto camera, item.index("camera", scene.cameras.size(), "cameras"));
+    out.mesh = to_int(mesh);
+    out.skin = to_int(skin);
+    out.camera = to_int(camera);
+    if (!item.has("extensions")) return {};
+    return read_extensions(item, source, scene, out);
+}
+
+// Fails unless the nodes are strict trees (3.5.2).
+Result<void> set_parents(const Source& source, Hierarchy& nodes) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        for (const std::size_t child : nodes[i].children) {
-            int& parent = nodes[child].node.parent;
+        for (const int child : nodes.children_of(i)) {
+            int& parent = nodes.parents[std::size_t(child)];
             if (parent != kUnset)
                 return broken(source, child,
                               fmt::format("is a child of node {} and of node {}", parent, i));
@@ -86,19 +95,34 @@ Result<void> link_parents(const Source& source, std::vector<FileNode>& nodes) {
         std::size_t at = i;
         while (walk_of[at] == 0) {
             walk_of[at] = i + 1;
-            const int parent = nodes[at].node.parent;
+            const int parent = nodes.parents[at];
             if (parent == kUnset) break;
             at = static_cast<std::size_t>(parent);
-            if (walk_of[at] == i + 1) return broken(source, at, "is its own ancestor");
+            if (walk_of[at] == i + 1) return broken(source, parent, "is its own ancestor");
         }
     }
     return {};
 }
 
-std::vector<std::size_t> all_roots(const std::vector<FileNode>& nodes) {
+Result<Hierarchy> read_hierarchy(const Json& root, const Source& source, std::size_t count) {
+    Hierarchy nodes;
+    nodes.parents.resize(count, kUnset);
+    nodes.child_ends.reserve(count + 1);
+    HM_TRY(root.for_each_object("nodes", [&](const Json& item) -> Result<void> {
+        HM_TRY_ASSIGN(const auto children, item.indices("children", count, "nodes"));
+        for (const std::size_t child : children)
+            nodes.children.push_back(static_cast<int>(child));
+        nodes.child_ends.push_back(nodes.children.size());
+        return {};
+    }));
+    HM_TRY(set_parents(source, nodes));
+    return nodes;
+}
+
+std::vector<std::size_t> all_roots(const Hierarchy& nodes) {
     std::vector<std::size_t> roots;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i].node.parent == kUnset) roots.push_back(i);
+        if (nodes.parents[i] == kUnset) roots.push_back(i);
     return roots;
 }
 
@@ -123,7 +147,7 @@ Result<std::size_t> find_scene(const Json& root, const std::vector<Json>& scenes
 // The root nodes of the scene that the options or "scene" name, of the first one, or of the whole
 // file.
 Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
-                                              const std::vector<FileNode>& nodes) {
+                                              const Hierarchy& nodes) {
     HM_TRY_ASSIGN(const std::vector<Json> scenes, root.objects("scenes"));
     for (const Json& scene : scenes)
         HM_TRY(scene.name());
@@ -140,35 +164,30 @@ Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
     HM_TRY_ASSIGN(std::vector<std::size_t> roots, scene.indices("nodes", nodes.size(), "nodes"));
     std::vector<bool> listed(nodes.size(), false);
     for (std::size_t i = 0; i < roots.size(); ++i) {
-        const std::string key = fmt::format("nodes/{}", i);
-        if (listed[roots[i]]) return scene.invalid(key, fmt::format("node {} again", roots[i]));
-        if (nodes[roots[i]].node.parent != kUnset)
-            return scene.invalid(key, fmt::format("node {} is a child of node {}", roots[i],
-                                                  nodes[roots[i]].node.parent));
+        const auto key = [&] { return fmt::format("nodes/{}", i); };
+        if (listed[roots[i]]) return scene.invalid(key(), fmt::format("node {} again", roots[i]));
+        if (nodes.parents[roots[i]] != kUnset)
+            return scene.invalid(key(), fmt::format("node {} is a child of node {}", roots[i],
+                                                    nodes.parents[roots[i]]));
         listed[roots[i]] = true;
     }
     if (roots.empty()) source.warn(scene.place(), "the scene is empty");
     return roots;
 }
 
-// Depth first, so that parents come before children and siblings keep their order. Returns the new
-// index of each node, or kUnset.
-std::vector<int> flatten(std::vector<FileNode>& nodes, const std::vector<std::size_t>& roots,
-                         Scene& scene) {
-    std::vector<int> new_index(nodes.size(), kUnset);
+// The index that each of the file's nodes gets in the scene, or kUnset. Depth first, so that
+// parents come before children and siblings keep their order.
+std::vector<int> number_nodes(const Hierarchy& nodes, const std::vector<std::size_t>& roots) {
+    std::vector<int> scene_node(nodes.size(), kUnset);
     std::vector<std::size_t> open(roots.rbegin(), roots.rend());
-    scene.nodes.reserve(nodes.size());
-    while (!open.empty()) {
+    for (int next = 0; !open.empty(); ++next) {
         const std::size_t at = open.back();
         open.pop_back();
-        FileNode& file_node = nodes[at];
-        const int parent = file_node.node.parent;
-        if (parent != kUnset) file_node.node.parent = new_index[std::size_t(parent)];
-        new_index[at] = static_cast<int>(scene.nodes.size());
-        scene.nodes.push_back(std::move(file_node.node));
-        open.insert(open.end(), file_node.children.rbegin(), file_node.children.rend());
+        scene_node[at] = next;
+        const auto children = nodes.children_of(at);
+        open.insert(open.end(), children.rbegin(), children.rend());
     }
-    return new_index;
+    return scene_node;
 }
 
 bool is_finite(const glm::mat4& m) {
@@ -184,27 +203,51 @@ bool all_finite(const Node& node, const glm::mat4& world) {
                        [&](const glm::mat4& instance) { return is_finite(world * instance); });
 }
 
+// That every node has a place in the world.
+Result<void> check_finite(const Source& source, const Scene& scene) {
+    struct Ancestor {
+        int node;
+        glm::mat4 world;
+    };
+    std::vector<Ancestor> path;  // nodes stand depth first, so only these are still needed
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        while (!path.empty() && path.back().node != node.parent)
+            path.pop_back();
+        const glm::mat4 world = path.empty() ? node.local : path.back().world * node.local;
+        if (!all_finite(node, world))
+            return broken(source, node.index, "its world transform overflows a 32-bit float");
+        path.push_back({static_cast<int>(i), world});
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& scene) {
-    HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("nodes"));
-    HM_TRY_ASSIGN(const std::vector<Json> skins, root.objects("skins"));
-    HM_TRY(take_memory(root, source, items.size() * (sizeof(FileNode) + sizeof(Node))));
-    std::vector<FileNode> nodes;
-    nodes.reserve(items.size());
-    for (const Json& item : items) {
-        FileNode& out = nodes.emplace_back();
-        out.node.index = static_cast<int>(nodes.size()) - 1;
-        HM_TRY(read_node(item, source, {items.size(), skins.size()}, scene, out));
-    }
-    HM_TRY(link_parents(source, nodes));
-    HM_TRY_ASSIGN(const auto roots, choose_roots(root, source, nodes));
-    std::vector<int> scene_node = flatten(nodes, roots, scene);
-    const std::vector<glm::mat4> world = world_transforms(scene);
-    for (std::size_t i = 0; i < scene_node.size(); ++i)
-        if (scene_node[i] != kUnset &&
-            !all_finite(scene.nodes[std::size_t(scene_node[i])], world[std::size_t(scene_node[i])]))
-            return broken(source, i, "its world transform overflows a 32-bit float");
+    HM_TRY_ASSIGN(const std::size_t count, root.count("nodes"));
+    HM_TRY_ASSIGN(const std::size_t skin_count, root.count("skins"));
+    constexpr std::size_t kLinks = 2 * sizeof(std::size_t) + 4 * sizeof(int);
+    HM_TRY(take_memory(root, source, count * (sizeof(Node) + kLinks)));
+    HM_TRY_ASSIGN(const Hierarchy hierarchy, read_hierarchy(root, source, count));
+    HM_TRY_ASSIGN(const auto roots, choose_roots(root, source, hierarchy));
+    std::vector<int> scene_node = number_nodes(hierarchy, roots);
+    const auto shown =
+        count - std::size_t(std::count(scene_node.begin(), scene_node.end(), kUnset));
+    scene.nodes.reserve(shown);
+    prefer_huge_pages(scene.nodes.data(), shown * sizeof(Node));
+    scene.nodes.resize(shown);
+    int index = 0;
+    HM_TRY(root.for_each_object("nodes", [&](const Json& item) -> Result<void> {
+        Node elsewhere;  // in no scene that is shown, and valid all the same
+        const int at = scene_node[std::size_t(index)],
+                  parent = hierarchy.parents[std::size_t(index)];
+        Node& node = at == kUnset ? elsewhere : scene.nodes[std::size_t(at)];
+        node.index = index++;
+        if (parent != kUnset) node.parent = scene_node[std::size_t(parent)];
+        return read_node(item, source, skin_count, scene, node);
+    }));
+    HM_TRY(check_finite(source, scene));
     return scene_node;
 }
 

@@ -107,6 +107,7 @@ std::string misfit(const Mesh& mesh, const Node& node, const Skin& skin) {
 Result<std::vector<Skin>> read_skins(const Json& root, Source& source,
                                      const std::vector<int>& scene_node, const Scene& scene) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("skins"));
+    if (items.empty()) return std::vector<Skin>();
     const std::vector<int> ends = subtree_ends(scene);
     std::vector<Skin> skins;
     for (const Json& item : items) {
@@ -123,7 +124,7 @@ Result<std::vector<Skin>> read_skins(const Json& root, Source& source,
 
 Result<void> check_skinned_nodes(const Source& source, const std::vector<int>& scene_node,
                                  const Scene& scene) {
-    for (std::size_t i = 0; i < scene_node.size(); ++i) {
+    for (std::size_t i = 0; i < scene_node.size() && !scene.skins.empty(); ++i) {
         if (scene_node[i] == kUnset) continue;
         const Node& node = scene.nodes[std::size_t(scene_node[i])];
         if (node.skin == kUnset) continue;

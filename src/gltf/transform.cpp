@@ -36,9 +36,8 @@ std::optional<glm::mat4> affine_matrix(std::span<const float, 16> columns) {
 }
 
 Result<void> read_transform(const Json& json, Node& node) {
-    const bool has_parts = json.has("translation") || json.has("rotation") || json.has("scale");
     if (json.has("matrix")) {
-        if (has_parts)
+        if (json.has("translation") || json.has("rotation") || json.has("scale"))
             return json.invalid("matrix",
                                 "a node has a matrix or translation, rotation and scale, "
                                 "not both");

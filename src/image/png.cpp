@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/memory.h"
 #include "image/codecs.h"
 
 namespace hm {
@@ -120,6 +121,8 @@ Result<Image> decode_png(Bytes bytes, std::string_view name) {
                 header.height,
                 header.bit_depth == 16 ? PixelFormat::rgba16 : PixelFormat::rgba8,
                 {}};
+    image.pixels.reserve(pixels * bytes_per_pixel(image.format));
+    prefer_huge_pages(image.pixels.data(), image.pixels.capacity());
     image.pixels.resize(pixels * bytes_per_pixel(image.format));
     const int format = header.bit_depth == 16 ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
     status = spng_decode_image(context.get(), image.pixels.data(), image.pixels.size(), format,
