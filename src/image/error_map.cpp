@@ -48,8 +48,9 @@ Image magma(const Plane& plane) {
     image.pixels.reserve(plane.values.size() * 4);
     for (const float value : plane.values) {
         constexpr std::uint8_t kNotANumber[3] = {0, 255, 0};
-        const auto index = std::size_t(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
-        const std::uint8_t* const color = std::isnan(value) ? kNotANumber : kMagma[index];
+        const std::uint8_t* const color =
+            std::isnan(value) ? kNotANumber
+                              : kMagma[std::size_t(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f)];
         for (std::size_t c = 0; c < 3; ++c)
             image.pixels.push_back(std::byte(color[c]));
         image.pixels.push_back(std::byte(255));
