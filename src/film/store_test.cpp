@@ -11,6 +11,7 @@
 #include <fstream>
 #include <limits>
 #include <random>
+#include <span>
 #include <string>
 
 #include "base/files.h"
@@ -88,8 +89,9 @@ void expect_same_bits(const Film& a, const Film& b) {
     ASSERT_EQ(a.ids.size(), b.ids.size());
     for (std::size_t i = 0; i < a.ids.size(); ++i) {
         ASSERT_EQ(a.ids[i].size(), b.ids[i].size()) << i;
-        EXPECT_EQ(std::memcmp(a.ids[i].data(), b.ids[i].data(), a.ids[i].size() * sizeof(IdCount)),
-                  0);
+        EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(a.ids[i])),
+                                       std::as_bytes(std::span(b.ids[i]))))
+            << i;
     }
 }
 
