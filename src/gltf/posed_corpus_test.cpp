@@ -2,24 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 
 #include "gltf/load.h"
 #include "scene/flatten.h"
 #include "scene/pose.h"
+#include "support/asset_files.h"
 
 namespace hm {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path assets_folder() {
-    if (const char* folder = std::getenv("HIMALAYA_ASSETS")) return folder;
-    const char* source = std::getenv("HIMALAYA_SOURCE_DIR");
-    return fs::path(source != nullptr ? source : ".") / "../shared/assets";
-}
 
 bool has_prefix(const std::string& name) {
     for (const char* prefix : {"01_cs_", "01_morphed", "03_", "06", "07"})
@@ -47,7 +41,7 @@ bool same_pose(const Scene& a, const Scene& b) {
 }
 
 TEST(PosedCorpus, PosesAndComesBackToRest) {
-    const fs::path folder = assets_folder() / "core";
+    const fs::path folder = test::assets_folder() / "core";
     if (!fs::is_directory(folder)) GTEST_SKIP() << folder << " is absent";
     std::size_t animations = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {

@@ -1,10 +1,8 @@
 // `himalaya info`: what it prints of a shipped scene, that the JSON is what docs/info.schema.json
 // says, what becomes of hostile names, and the exit codes.
 #include <gtest/gtest.h>
-#include <simdjson.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,18 +10,15 @@
 
 #include "app/cli/info.h"
 #include "app/cli/info_report.h"
+#include "cli/info_schema.h"
+#include "support/asset_files.h"
 
 namespace {
 
 using namespace hm;
 using namespace hm::cli;
+using namespace hm::test;
 namespace fs = std::filesystem;
-namespace dom = simdjson::dom;
-
-fs::path source_dir() {
-    const char* dir = std::getenv("HIMALAYA_SOURCE_DIR");
-    return dir != nullptr ? fs::path(dir) : fs::current_path();
-}
 
 std::string read_text(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -67,81 +62,6 @@ class Info : public ::testing::Test {
     fs::path path_;
 };
 
-// Fails where `value` is not what `schema` describes, of the keywords that the schema file uses. An
-// object may have no field that the schema does not know: the document would lag behind.
-void expect_matches(dom::element schema, dom::element value, const std::string& place);
-
-bool has_type(std::string_view type, dom::element value) {
-    const bool integer = value.is_uint64() || value.is_int64();
-    return type == "object"    ? value.is_object()
-           : type == "array"   ? value.is_array()
-           : type == "string"  ? value.is_string()
-           : type == "boolean" ? value.is_bool()
-           : type == "null"    ? value.is_null()
-           : type == "integer" ? integer
-                               : integer || value.is_double();
-}
-
-bool type_matches(dom::element type, dom::element value) {
-    if (type.is_string()) return has_type(type.get_string().value(), value);
-    for (const dom::element one : type.get_array())
-        if (has_type(one.get_string().value(), value)) return true;
-    return false;
-}
-
-void expect_object_matches(dom::element schema, dom::object value, const std::string& place) {
-    dom::array required;
-    ASSERT_EQ(schema["required"].get(required), simdjson::SUCCESS) << place;
-    for (const dom::element name : required)
-        EXPECT_EQ(value.at_key(name.get_string().value()).error(), simdjson::SUCCESS)
-            << place << " lacks " << name;
-    for (const auto& [key, field] : value) {
-        dom::element known;
-        const std::string here = place + "/" + std::string(key);
-        ASSERT_EQ(schema["properties"].at_key(key).get(known), simdjson::SUCCESS)
-            << here << " is not in the schema";
-        expect_matches(known, field, here);
-    }
-}
-
-void expect_matches(dom::element schema, dom::element value, const std::string& place) {
-    dom::element keyword;
-    if (schema["oneOf"].get(keyword) == simdjson::SUCCESS) {
-        // Always null or something.
-        if (!value.is_null()) expect_matches(keyword.at(1).value(), value, place);
-        return;
-    }
-    if (schema["const"].get(keyword) == simdjson::SUCCESS) {
-        EXPECT_EQ(simdjson::minify(keyword), simdjson::minify(value)) << place;
-    }
-    if (schema["enum"].get(keyword) == simdjson::SUCCESS) {
-        bool known = false;
-        for (const dom::element one : keyword.get_array())
-            known = known || simdjson::minify(one) == simdjson::minify(value);
-        EXPECT_TRUE(known) << place << ": " << value;
-    }
-    if (schema["type"].get(keyword) == simdjson::SUCCESS) {
-        ASSERT_TRUE(type_matches(keyword, value)) << place << ": " << value;
-    }
-    if (value.is_object()) expect_object_matches(schema, value.get_object().value(), place);
-    if (!value.is_array()) return;
-    std::size_t count = 0;
-    for (const dom::element item : value.get_array())
-        expect_matches(schema["items"].value(), item, place + "/" + std::to_string(count++));
-    if (schema["minItems"].get(keyword) == simdjson::SUCCESS) {
-        EXPECT_EQ(count, keyword.get_uint64().value()) << place;
-    }
-}
-
-void expect_fits_schema(const std::string& json) {
-    dom::parser schema_parser, parser;
-    dom::element schema, value;
-    ASSERT_EQ(schema_parser.load((source_dir() / "docs/info.schema.json").string()).get(schema),
-              simdjson::SUCCESS);
-    ASSERT_EQ(parser.parse(json).get(value), simdjson::SUCCESS) << json;
-    expect_matches(schema, value, "");
-}
-
 // Names of a terminal's escape sequences: colours, the title, a second line, a C1 introducer.
 constexpr const char* kHostile = R"({"asset":{"version":"2.0","generator":"\u001b[31mred\u0007"},
     "extensionsUsed":["EXT_\u001b]0;title\u0007","KHR_materials_variants"],
@@ -162,15 +82,15 @@ void expect_printable(const std::string& text) {
 
 TEST_F(Info, TextOfTheCornellBox) {
     const Printed printed =
-        run(options("demo:cornell", source_dir() / "scenes/cornell.glb", false));
+        run(options("demo:cornell", source_folder() / "scenes/cornell.glb", false));
     EXPECT_EQ(printed.code, 0);
-    EXPECT_EQ(printed.text, read_text(source_dir() / "tests/cli/info_cornell.txt"));
+    EXPECT_EQ(printed.text, read_text(source_folder() / "tests/cli/info_cornell.txt"));
 }
 
 TEST_F(Info, JsonFitsTheSchema) {
     for (const char* scene : {"cornell", "spheres", "hero"}) {
         SCOPED_TRACE(scene);
-        const fs::path path = source_dir() / "scenes" / (std::string(scene) + ".glb");
+        const fs::path path = source_folder() / "scenes" / (std::string(scene) + ".glb");
         const Printed printed = run(options(scene, path, true));
         EXPECT_EQ(printed.code, 0);
         expect_fits_schema(printed.text);

@@ -2,9 +2,7 @@
 // picture. docs/testing.md says which scenes, and how to try many more.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
@@ -15,17 +13,13 @@
 #include "gpu/renderers.h"
 #include "image/read.h"
 #include "scene/camera.h"
+#include "support/asset_files.h"
 
 namespace hm::test {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path source_dir() {
-    const char* dir = std::getenv("HIMALAYA_SOURCE_DIR");
-    return dir != nullptr ? dir : ".";
-}
 
 // The file's first camera, or one that frames the whole scene.
 CameraData camera_of(const Scene& scene, const Bounds& bounds) {
@@ -95,7 +89,7 @@ TEST(RendererParity, OddShapesAndPlacements) {
 }
 
 TEST(RendererParity, ShippedScenes) {
-    const fs::path scenes = source_dir() / "scenes";
+    const fs::path scenes = source_folder() / "scenes";
     EXPECT_TRUE(expect_file_parity(scenes / "cornell.glb", default_environment(), 0));
     EXPECT_TRUE(expect_file_parity(scenes / "spheres.glb", default_environment(), 0.25f));
     EXPECT_TRUE(expect_file_parity(scenes / "hero.glb", read_sky(scenes / "hero_sky.hdr"), 1));
@@ -103,15 +97,8 @@ TEST(RendererParity, ShippedScenes) {
 
 // Every scene file below a folder.
 TEST(RendererParity, Assets) {
-    const char* given = std::getenv("HIMALAYA_ASSETS");
-    const fs::path assets = given != nullptr ? given : source_dir() / ".." / "shared" / "assets";
-    if (!fs::is_directory(assets)) GTEST_SKIP() << "no folder " << assets;
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(assets)) {
-        const fs::path extension = entry.path().extension();
-        if (extension == ".glb" || extension == ".gltf") files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
+    if (!fs::is_directory(assets_folder())) GTEST_SKIP() << assets_folder() << " is absent";
+    const std::vector<fs::path> files = gltf_files(assets_folder());
     const Image sky = default_environment();
     std::size_t drawn = 0;
     for (const fs::path& file : files)

@@ -3,22 +3,16 @@
 // program disagrees with them just as much.)
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "gltf/load.h"
 #include "scene/tangents.h"
+#include "support/asset_files.h"
 
 namespace hm {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path assets_folder() {
-    if (const char* folder = std::getenv("HIMALAYA_ASSETS")) return folder;
-    const char* source = std::getenv("HIMALAYA_SOURCE_DIR");
-    return fs::path(source != nullptr ? source : ".") / "../shared/assets";
-}
 
 struct Agreement {
     std::size_t corners = 0, directions = 0, signs = 0;
@@ -39,7 +33,7 @@ struct Agreement {
 };
 
 TEST(TangentFiles, BringWhatWeMake) {
-    const fs::path folder = assets_folder() / "khronos";
+    const fs::path folder = test::assets_folder() / "khronos";
     if (!fs::is_directory(folder)) GTEST_SKIP() << folder << " is absent";
     for (const char* name : {"NormalTangentTest.glb", "ClearCoatTest.glb"}) {
         Diagnostics diagnostics;
