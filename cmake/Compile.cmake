@@ -3,7 +3,8 @@
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O3 -g")
 
-# Off for compilers that are not ours (scripts/kit.sh).
+# Off for compilers that are not ours (scripts/kit.sh), and with sanitizers, under which GCC warns of
+# what is not so.
 option(HIMALAYA_WARNINGS_AS_ERRORS "Fail where the compiler warns" ON)
 
 function(himalaya_compile target)
