@@ -59,6 +59,7 @@ std::string read_text(std::span<const std::uint32_t> words) {
 
 // Types come before what is made of them, so their sizes are known.
 void read_type(std::uint32_t code, std::span<const std::uint32_t> operands, Module& module) {
+    if (operands.empty()) return;  // the end of a function, and others that define nothing
     const std::uint32_t id = operands[0];
     if (code == kOpTypeBool) {
         module.sizes[id] = 4;
