@@ -45,8 +45,8 @@ struct HitFacts {
 };
 #endif
 
-// Ray generation writes the first block, closest hit or miss the rest. Both payloads begin with
-// `key`, which any-hit reads.
+// Ray generation writes the first block and the camera's ray, which is the first next one; closest
+// hit or miss write the rest. Both payloads begin with `key`, which any-hit reads.
 struct PathPayload {
     uint key;  // of this ray's stochastic alpha
     uint pixel_x;
