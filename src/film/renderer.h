@@ -40,6 +40,8 @@ struct RendererReport {
     double trace_seconds = 0;           // drawing, by the device's own clock; 0 where it has none
     std::uint64_t structure_bytes = 0;  // of the acceleration structure
     std::uint64_t device_bytes = 0;     // all that the scene and the film take there
+    // How several samples of a pixel are drawn, where that is measured meanwhile; empty before.
+    std::string launches{};
     // What the acceleration structure consists of, by name: {"triangles", 32}.
     std::vector<std::pair<std::string, std::uint64_t>> structure{};
 };

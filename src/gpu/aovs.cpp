@@ -80,7 +80,7 @@ Result<std::vector<std::vector<float>>> GpuAovs::download(rhi::Device& device) c
 
 void count_hits(std::span<const SampleHit> hits, const Batch& batch, std::uint32_t width,
                 std::span<const std::uint32_t> surfaces, std::vector<IdList>& ids) {
-    const std::size_t samples = batch.sample_end - batch.sample_begin;
+    const std::size_t samples = batch.samples_per_pixel();
     const std::size_t first = std::size_t(batch.first_row) * width;
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (hits[i].instance == kNone) continue;

@@ -1,11 +1,14 @@
 // How much work one submission gets: rows of the picture times samples, so that it runs for about
 // kBatchMilliseconds: long enough to fill a device, short enough that no driver times out and that
-// cancelling is quick. Plain data; what time shows decides nothing but where a picture is split,
-// which changes none of its bits.
+// cancelling is quick. And whether its samples share a launch. Plain data; what time shows decides
+// nothing but where a picture is split, which changes none of its bits.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+
+#include "gpu/launch_choice.h"
 
 namespace hm {
 
@@ -17,29 +20,37 @@ struct Batch {
     std::uint32_t rows = 0;
     std::uint32_t sample_begin = 0;
     std::uint32_t sample_end = 0;
+    Launches launches = Launches::loop;
 
+    std::uint32_t samples_per_pixel() const { return sample_end - sample_begin; }
     std::uint64_t samples(std::uint32_t width) const {
-        return std::uint64_t(width) * rows * (sample_end - sample_begin);
+        return std::uint64_t(width) * rows * samples_per_pixel();
     }
 };
 
-// Learns from batches how many samples of a pixel fit the time.
+// Learns from batches how many samples of a pixel fit the time, for either way of launching them,
+// and which is the faster.
 class BatchSizer {
   public:
     BatchSizer() = default;
-    // max_samples: of all pixels of one launch together.
+    // max_samples: of all pixels of one batch together.
     BatchSizer(std::uint32_t width, std::uint32_t height, std::uint64_t max_samples);
 
+    // Batches in the order in which they were cut.
     void learn(const Batch& batch, double milliseconds);
+    // Of the next batch.
+    Launches next_launches() { return launches_.next(); }
     // How many rows, and of those how many samples where that is all rows.
-    std::uint32_t rows() const;
-    std::uint32_t samples() const;
+    std::uint32_t rows(Launches launches) const;
+    std::uint32_t samples(Launches launches) const;
+    std::optional<Launches> decided() const { return launches_.decided(); }
 
   private:
     std::uint32_t width_ = 0;
     std::uint32_t height_ = 0;
     std::uint64_t max_samples_ = 0;
-    double budget_ = 0;  // samples per submission that fit the time
+    std::array<double, 2> budgets_{};  // samples per batch that fit the time, by Launches
+    LaunchChoice launches_;
 };
 
 // Cuts [begin, end) of all rows into batches: several samples of all rows, or where one sample of
@@ -49,7 +60,7 @@ class BatchCutter {
     BatchCutter(std::uint32_t height, std::uint32_t begin, std::uint32_t end)
         : height_(height), next_(begin), end_(end) {}
     // None when all is done.
-    std::optional<Batch> next(const BatchSizer& sizer);
+    std::optional<Batch> next(BatchSizer& sizer);
     // Whether all rows have as many samples.
     bool is_even() const { return row_ == 0; }
 

@@ -62,7 +62,38 @@ TEST(Batches, NoLaunchIsLargerThanTheDeviceTakes) {
     BatchSizer sizer(1000, 1000, 50'000);
     for (int i = 0; i < 20; ++i)
         sizer.learn({0, 1000, 0, 1}, 1e-3);
-    EXPECT_EQ(sizer.rows(), 50u);
+    EXPECT_EQ(sizer.rows(Launches::loop), 50u);
+}
+
+// Whole pictures of 40 ms tell which way of launching is faster, and none takes longer, however
+// slow the other way is.
+TEST(Batches, TheFasterWayOfLaunchingIsFoundInTime) {
+    for (const double ratio : {0.1, 0.9, 1.1, 20.0}) {
+        BatchSizer sizer(64, 64, 1u << 30);
+        BatchCutter cutter(64, 0, 1u << 20);
+        Launches last{};
+        for (int i = 0; i < 60; ++i) {
+            const Batch batch = *cutter.next(sizer);
+            last = batch.launches;
+            const double faster = batch.launches == Launches::loop ? 1 : ratio;
+            const double ms = milliseconds(batch, 64, 10.0 * faster);
+            EXPECT_LE(ms, 1.01 * kBatchMilliseconds) << ratio << " " << i;
+            sizer.learn(batch, ms);
+        }
+        EXPECT_EQ(last, ratio > 1 ? Launches::loop : Launches::one_per_sample) << ratio;
+        EXPECT_EQ(sizer.decided(), last) << ratio;
+    }
+}
+
+// Where one sample is a band or the whole batch, the two ways are one.
+TEST(Batches, SingleSamplesTellNothingOfLaunches) {
+    BatchSizer sizer(1920, 1080, 1u << 30);
+    BatchCutter cutter(1080, 0, 40);
+    while (const auto batch = cutter.next(sizer)) {
+        EXPECT_EQ(batch->samples_per_pixel(), 1u);
+        sizer.learn(*batch, milliseconds(*batch, 1920, 15.0));
+    }
+    EXPECT_FALSE(sizer.decided());
 }
 
 TEST(Batches, APictureOfOneRowAndAnEmptyRange) {

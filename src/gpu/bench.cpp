@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "gpu/batches.h"
 #include "rhi/query.h"
 
 namespace hm {
@@ -84,6 +85,42 @@ Result<void> count_rays(rhi::Device& device, const RecordedRays& rays, TraceRate
     return {};
 }
 
+// Samples [0, count) of a picture.
+TraceRange first_samples(std::uint32_t count) {
+    TraceRange range{};
+    range.sample_end = count;
+    return range;
+}
+
+// How several samples of each pixel may be drawn.
+struct Way {
+    const char* name;
+    Launches launches;
+    PathTracingVariant variant;
+};
+
+constexpr Way kWays[] = {{"launches", Launches::one_per_sample, {.usual = true}},
+                         {"loop", Launches::loop, {.usual = true}}};
+
+// As many samples as one of the renderer's batches.
+Result<void> measure_ways(GpuContext& context, const GpuScene& scene, const Scratch& scratch,
+                          std::uint32_t repeats, TraceRates& rates) {
+    rates.several = std::uint32_t(std::clamp(kBatchMilliseconds / rates.path_ms, 2.0, 16.0));
+    const TraceRange range = first_samples(rates.several);
+    const std::uint32_t height = scratch.accumulation.info().height;
+    for (const Way& way : kWays) {
+        HM_TRY_ASSIGN(const PathTracingPass* paths, context.path_tracing(way.variant));
+        const auto record = [&](rhi::Commands& commands) {
+            paths->record(commands, scene,
+                          {scratch.accumulation, scratch.removed, scratch.counters}, range, height,
+                          way.launches);
+        };
+        HM_TRY_ASSIGN(const double ms, median_ms(context.device(), repeats, record));
+        rates.ways.emplace_back(way.name, ms / rates.several);
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const RenderJob& job,
@@ -98,7 +135,7 @@ Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const R
     HM_TRY_ASSIGN(const Scratch scratch, Scratch::create(device, width, height));
     HM_TRY_ASSIGN(const RecordedRays rays,
                   RecordedRays::create(device, width * height, 2 * params.max_bounces + 2));
-    const TraceRange first_sample = {0, 0, 0, 0, 1, uvec2(0)};
+    const TraceRange first_sample = first_samples(1);
 
     TraceRates rates;
     HM_TRY_ASSIGN(const PathTracingPass* recorder, context.path_tracing({.record = true}));
@@ -118,6 +155,7 @@ Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const R
                                     {scratch.accumulation, scratch.removed, scratch.counters},
                                     first_sample, height);
                   }));
+    if (variant.usual) HM_TRY(measure_ways(context, scene, scratch, repeats, rates));
     HM_TRY_ASSIGN(const BareTracePass* bare, context.bare_trace());
     const auto bare_ms = [&](std::uint32_t kinds, std::uint32_t depth) {
         return median_ms(device, repeats, [&, kinds, depth](rhi::Commands& commands) {

@@ -11,6 +11,11 @@
 namespace hm {
 namespace {
 
+std::string name_of(std::optional<Launches> launches) {
+    if (!launches) return "";
+    return *launches == Launches::loop ? "loop" : "launches";
+}
+
 using TraceCounterRows = std::array<TraceCounters, kCounterRows>;
 
 Result<rhi::Image> make_sum_image(rhi::Device& device, const char* name, rhi::Format format,
@@ -71,6 +76,7 @@ RendererReport VulkanRenderer::report() const {
             .trace_seconds = trace_seconds_,
             .structure_bytes = s.structure_bytes,
             .device_bytes = context_.device().memory_use().used_bytes,
+            .launches = name_of(sizer_.decided()),
             .structure = {{"triangles", s.triangles},
                           {"degenerate_triangles", s.degenerate_triangles},
                           {"meshes", s.build.structures},
@@ -195,14 +201,19 @@ void VulkanRenderer::declare_hits(Slot& slot, graph::Pass& trace) {
 
 void VulkanRenderer::record_trace(rhi::Commands& commands, Slot& slot) {
     const std::uint64_t hits = surfaces_.empty() ? 0 : slot.hits.address();
-    const TraceRange range = {
-        film_->crop.x0,        film_->crop.y0,
-        slot.batch.first_row,  slot.batch.sample_begin,
-        slot.batch.sample_end, uvec2(std::uint32_t(hits), std::uint32_t(hits >> 32))};
+    const Batch& batch = slot.batch;
+    const TraceRange range = {.crop_x = film_->crop.x0,
+                              .crop_y = film_->crop.y0,
+                              .first_row = batch.first_row,
+                              .sample_begin = batch.sample_begin,
+                              .sample_end = batch.sample_end,
+                              .hits = uvec2(std::uint32_t(hits), std::uint32_t(hits >> 32)),
+                              .noted_begin = batch.sample_begin,
+                              .noted_samples = batch.samples_per_pixel()};
     PathTracingTargets targets{accumulation_, removed_, counters_};
     targets.aovs = aovs_ ? &*aovs_ : nullptr;
     slot.timestamps.write(commands, 0);
-    pass_->record(commands, *scene_, targets, range, slot.batch.rows);
+    pass_->record(commands, *scene_, targets, range, batch.rows, batch.launches);
     slot.timestamps.write(commands, 1);
 }
 
@@ -227,7 +238,7 @@ Result<void> VulkanRenderer::finish(Slot& slot, RenderCounters& counters) {
     HM_TRY_ASSIGN(const std::vector<double> times, slot.timestamps.milliseconds(2));
     sizer_.learn(slot.batch, times[1]);
     trace_seconds_ += times[1] * 1e-3;
-    const std::uint32_t samples = slot.batch.sample_end - slot.batch.sample_begin;
+    const std::uint32_t samples = slot.batch.samples_per_pixel();
     for (std::uint32_t row = 0; row < slot.batch.rows; ++row)
         added_[slot.batch.first_row + row] += samples;
     count(slot, counters);

@@ -28,7 +28,9 @@ struct TraceRange {
     uint first_row;  // of the image; the launch says how many rows
     uint sample_begin;
     uint sample_end;
-    uvec2 hits;  // where the AOV build notes what samples hit; 0: not asked for
+    uvec2 hits;          // where the AOV build notes what samples hit; 0: not asked for
+    uint noted_begin;    // there lie those of a pixel's samples from this one on
+    uint noted_samples;  // next to each other
 };
 
 // What the AOV build of the path tracer reads and writes, by device address.
@@ -78,7 +80,7 @@ HM_NAMESPACE_END
 #ifdef __cplusplus
 namespace hm {
 static_assert(sizeof(RecordedRay) == 32 && sizeof(BareRange) == 8);
-static_assert(sizeof(GeometryAddresses) == 24 && sizeof(TraceRange) == 28);
+static_assert(sizeof(GeometryAddresses) == 24 && sizeof(TraceRange) == 36);
 static_assert(sizeof(FrameData) ==
               sizeof(RenderParams) + sizeof(CameraData) + sizeof(EnvironmentData));
 }  // namespace hm

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace hm {
 
@@ -17,6 +20,9 @@ struct TraceRates {
     double bare_closest_ms = 0;  // one invocation per ray, of that kind alone
     double bare_shadow_ms = 0;
     double bare_loop_ms = 0;
+    // Several samples of each pixel, by the ways there are: milliseconds of one.
+    std::uint32_t several = 0;
+    std::vector<std::pair<std::string, double>> ways;
 
     std::uint64_t rays() const { return closest_rays + shadow_rays; }
 };

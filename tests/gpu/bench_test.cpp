@@ -26,6 +26,10 @@ TEST(TraceBench, CountsTheRaysOfAPicture) {
     EXPECT_NEAR(double(rates->rays()), double(counters.rays), 1e-3 * double(counters.rays));
     EXPECT_GT(rates->shadow_rays, 0u);
     EXPECT_GT(rates->closest_rays, rates->shadow_rays);
+    EXPECT_GE(rates->several, 2u);
+    EXPECT_FALSE(rates->ways.empty());
+    for (const auto& [way, ms] : rates->ways)
+        EXPECT_GT(ms, 0.0) << way;
     expect_no_messages();
 }
 

@@ -71,7 +71,9 @@ TEST(StagesLayout, TablesOfTheGpu) {
                          {"first_row", offsetof(TraceRange, first_row)},
                          {"sample_begin", offsetof(TraceRange, sample_begin)},
                          {"sample_end", offsetof(TraceRange, sample_end)},
-                         {"hits", offsetof(TraceRange, hits)}};
+                         {"hits", offsetof(TraceRange, hits)},
+                         {"noted_begin", offsetof(TraceRange, noted_begin)},
+                         {"noted_samples", offsetof(TraceRange, noted_samples)}};
     EXPECT_EQ(rays.at("TraceRange").offsets, range);
     EXPECT_EQ(rays.at("TraceCounters").array_stride, sizeof(TraceCounters));
 }

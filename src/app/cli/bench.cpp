@@ -83,6 +83,11 @@ void write_traced(JsonWriter& json, const TraceRates& t) {
     json.field("rays_per_second", rate(rays, t.path_ms));
     json.field("closest_rays_per_second", rate(closest, t.path_ms));
     json.field("shadow_rays_per_second", rate(rays - closest, t.path_ms)).end_object();
+    json.key("several_samples").begin_object().field("samples", t.several);
+    json.key("gpu_milliseconds_per_sample").begin_object();
+    for (const auto& [way, ms] : t.ways)
+        json.field(way, ms);
+    json.end_object().end_object();
     json.key("bare").begin_object();
     json.field("rays_per_second", rate(rays, t.bare_ms));
     json.field("closest_rays_per_second", rate(closest, t.bare_closest_ms));
@@ -96,6 +101,7 @@ void write_scene(JsonWriter& json, const std::string& name, const SceneRates& r)
     const double samples = double(r.best.samples), rays = double(r.best.rays);
     json.begin_object().field("scene", name).field("device", r.report.device);
     json.field("driver", r.report.variant);
+    if (!r.report.launches.empty()) json.field("launches", r.report.launches);
     json.key("acceleration_structure").begin_object();
     for (const auto& [part, count] : r.report.structure)
         json.field(part, count);

@@ -40,15 +40,13 @@ void set_plane_value(uint plane, uint floats, uint at, float value) {
     FloatArray(aov_addresses.planes[plane]).at[film_pixel() * floats + at] = value;
 }
 
-// The samples of a pixel of this launch lie next to each other.
 void keep_ids(uint index, HitIds ids) {
     if (range.hits == uvec2(0u)) return;
     uint pixel = gl_LaunchIDEXT.y * gl_LaunchSizeEXT.x + gl_LaunchIDEXT.x;
     SampleHit hit;
     hit.instance = ids.instance;
     hit.geometry = ids.geometry;
-    uint count = range.sample_end - range.sample_begin;
-    HitArray(range.hits).at[pixel * count + index - range.sample_begin] = hit;
+    HitArray(range.hits).at[pixel * range.noted_samples + index - range.noted_begin] = hit;
 }
 
 vec3 moved_position(HitFacts facts) {

@@ -1,7 +1,9 @@
 #include "gpu/passes/path_tracing/path_tracing.h"
 
 #include <array>
+#include <span>
 
+#include "graph/usage.h"
 #include "shaders/anyhit_aovs.h"
 #include "shaders/anyhit_rahit.h"
 #include "shaders/anyhit_usual.h"
@@ -102,7 +104,7 @@ Result<PathTracingPass> PathTracingPass::create(rhi::Device& device, const Scene
 
 void PathTracingPass::record(rhi::Commands& commands, const GpuScene& scene,
                              const PathTracingTargets& targets, const TraceRange& range,
-                             std::uint32_t rows) const {
+                             std::uint32_t rows, Launches launches) const {
     rhi::DescriptorWrites writes(targets_);
     writes.image(kAccumulation, targets.accumulation)
         .buffer(kSobolDirections, scene.sobol_directions())
@@ -117,8 +119,18 @@ void PathTracingPass::record(rhi::Commands& commands, const GpuScene& scene,
     commands.bind_set(layout_, 0, scene.scene_set());
     commands.bind_set(layout_, 1, scene.texture_set());
     commands.push_set(layout_, 3, writes);
-    commands.push_constants(layout_, range);
-    commands.trace_rays(pipeline_, targets.accumulation.info().width, rows);
+    // A launch adds to what the one before has stored.
+    const rhi::Scope sums =
+        graph::usage_of(graph::PassKind::trace, graph::AccessKind::read_write).scope;
+    const rhi::Barrier between{.before = sums, .after = sums};
+    TraceRange launch = range;
+    while (launch.sample_begin < range.sample_end) {
+        if (launches == Launches::one_per_sample) launch.sample_end = launch.sample_begin + 1;
+        if (launch.sample_begin > range.sample_begin) commands.barriers(std::span(&between, 1));
+        commands.push_constants(layout_, launch);
+        commands.trace_rays(pipeline_, targets.accumulation.info().width, rows);
+        launch.sample_begin = launch.sample_end;
+    }
 }
 
 }  // namespace hm

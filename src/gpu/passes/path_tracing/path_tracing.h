@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gpu/aovs.h"
+#include "gpu/launch_choice.h"
 #include "gpu/scene.h"
 #include "rhi/commands.h"
 #include "rhi/pipeline_cache.h"
@@ -45,7 +46,8 @@ class PathTracingPass {
 
     // Rows range.first_row and on of the accumulation image.
     void record(rhi::Commands& commands, const GpuScene& scene, const PathTracingTargets& targets,
-                const TraceRange& range, std::uint32_t rows) const;
+                const TraceRange& range, std::uint32_t rows,
+                Launches launches = Launches::loop) const;
 
   private:
     rhi::SetLayout targets_;  // set 3, pushed

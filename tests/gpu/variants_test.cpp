@@ -1,0 +1,98 @@
+// Ways of drawing the same samples: they must agree in every bit, and in how many rays they trace.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "gpu/path_tracer.h"
+#include "gpu/renderers.h"
+#include "rhi/test_device.h"
+#include "rhi/upload.h"
+
+namespace hm::test {
+
+namespace {
+
+using rhi::test::expect_ok;
+using rhi::test::value_of;
+
+constexpr std::uint32_t kSamples = 5;
+
+struct Drawn {
+    std::vector<vec4> sums = std::vector<vec4>(kPictureSize * kPictureSize);
+    std::uint64_t rays = 0;
+    std::uint64_t non_finite = 0;
+};
+
+// The feature scene under the usual settings.
+class PathTracingVariants : public ::testing::Test {
+  protected:
+    PathTracingVariants() {
+        const RenderJob job = make_job(scene_.flat, scene_.camera);
+        EXPECT_TRUE(is_usual(job.params));
+        expect_ok(gpu_->set_frame(job.params, job.camera, job.filter_table));
+        sums_ = value_of(rhi::Image::create(device_, {"sums", rhi::Format::rgba32f, kPictureSize,
+                                                      kPictureSize, 1, rhi::ImageUse::storage}));
+        removed_ = value_of(rhi::Image::create(
+            device_, {"removed", rhi::Format::r32f, 1, 1, 1, rhi::ImageUse::storage}));
+        counters_ = value_of(
+            rhi::Buffer::create(device_, {"counters", kCounterRows * sizeof(TraceCounters)}));
+    }
+    void TearDown() override { expect_no_messages(); }
+
+    Drawn draw(PathTracingVariant variant, Launches launches) {
+        const PathTracingPass* pass = value_of(gpu_context().path_tracing(variant));
+        TraceRange range{};
+        range.sample_end = kSamples;
+        expect_ok(rhi::run_once(device_, "draw", [&](rhi::Commands& commands) -> Result<void> {
+            for (const rhi::Image* image : {&sums_, &removed_}) {
+                commands.transition(*image, rhi::ImageLayout::undefined, rhi::ImageLayout::general);
+                commands.clear(*image, rhi::ImageLayout::general, 0);
+            }
+            commands.fill(counters_, 0);
+            commands.full_barrier();
+            pass->record(commands, *gpu_, {sums_, removed_, counters_}, range, kPictureSize,
+                         launches);
+            return {};
+        }));
+        return read();
+    }
+
+  private:
+    Drawn read() {
+        Drawn drawn;
+        expect_ok(rhi::read_back(device_, sums_, rhi::ImageLayout::general,
+                                 std::as_writable_bytes(std::span(drawn.sums))));
+        std::vector<TraceCounters> counters(kCounterRows);
+        expect_ok(rhi::read_back(device_, counters_, std::as_writable_bytes(std::span(counters))));
+        for (const TraceCounters& row : counters) {
+            drawn.rays += row.rays;
+            drawn.non_finite += row.non_finite;
+        }
+        return drawn;
+    }
+
+    TestScene scene_;
+    rhi::Device& device_ = gpu_context().device();
+    std::unique_ptr<GpuScene> gpu_ =
+        value_of(GpuScene::create(device_, gpu_context().layouts(), scene_.flat));
+    rhi::Image sums_, removed_;
+    rhi::Buffer counters_;
+};
+
+void expect_same(const Drawn& a, const Drawn& b) {
+    EXPECT_EQ(std::memcmp(a.sums.data(), b.sums.data(), a.sums.size() * sizeof(vec4)), 0);
+    EXPECT_EQ(a.rays, b.rays);
+    EXPECT_EQ(a.non_finite, b.non_finite);
+}
+
+TEST_F(PathTracingVariants, LaunchesOfOneSampleAddUpToALoop) {
+    const PathTracingVariant usual = {.usual = true};
+    const Drawn loop = draw(usual, Launches::loop);
+    EXPECT_GT(loop.rays, 2 * kSamples * loop.sums.size());
+    EXPECT_EQ(loop.sums[0].w, float(kSamples));
+    expect_same(loop, draw(usual, Launches::one_per_sample));
+}
+
+}  // namespace
+
+}  // namespace hm::test
