@@ -99,8 +99,10 @@ struct Way {
     PathTracingVariant variant;
 };
 
-constexpr Way kWays[] = {{"launches", Launches::one_per_sample, {.usual = true}},
-                         {"loop", Launches::loop, {.usual = true}}};
+constexpr Way kWays[] = {
+    {"launches", Launches::one_per_sample, {.usual = true}},
+    {"loop", Launches::loop, {.usual = true}},
+    {"regenerating_loop", Launches::loop, {.usual = true, .regenerate = true}}};
 
 // As many samples as one of the renderer's batches.
 Result<void> measure_ways(GpuContext& context, const GpuScene& scene, const Scratch& scratch,

@@ -93,6 +93,11 @@ TEST_F(PathTracingVariants, LaunchesOfOneSampleAddUpToALoop) {
     expect_same(loop, draw(usual, Launches::one_per_sample));
 }
 
+TEST_F(PathTracingVariants, RegeneratingPathsChangesNone) {
+    const Drawn loop = draw({.usual = true}, Launches::loop);
+    expect_same(loop, draw({.usual = true, .regenerate = true}, Launches::loop));
+}
+
 }  // namespace
 
 }  // namespace hm::test

@@ -15,6 +15,7 @@
 #include "shaders/miss_usual.h"
 #include "shaders/reference_view_aovs.h"
 #include "shaders/reference_view_record.h"
+#include "shaders/reference_view_regenerate.h"
 #include "shaders/reference_view_reorder.h"
 #include "shaders/reference_view_rgen.h"
 #include "shaders/reference_view_usual.h"
@@ -65,8 +66,9 @@ rhi::RayTracingPipelineInfo stages_of(PathTracingVariant variant) {
         info.ray_generation = shaders::reference_view_record();
     } else if (variant.usual) {
         info.name = "path tracing, usual settings";
-        info.ray_generation = variant.reorder ? shaders::reference_view_usual_reorder()
-                                              : shaders::reference_view_usual();
+        info.ray_generation = variant.reorder      ? shaders::reference_view_usual_reorder()
+                              : variant.regenerate ? shaders::reference_view_regenerate()
+                                                   : shaders::reference_view_usual();
         info.misses[0] = shaders::miss_usual();
         info.hit_groups[0] = {shaders::closesthit_usual(), shaders::anyhit_usual()};
     } else {
