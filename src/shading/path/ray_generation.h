@@ -92,9 +92,14 @@ HM_FN void begin_path(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathState) 
 
 // Whether nothing stands between a hit and its light sample.
 HM_FN bool is_lit(HM_IN(PathPayload) p, HM_INOUT(PathSample) s) {
+#ifdef HM_SHADOW_FROM_HIT
+    s.rays = s.rays + p.shadow_rays;
+    return max_component(p.light_contribution) > 0.0f;
+#else
     if (!(max_component(p.light_contribution) > 0.0f)) return false;
     s.rays = s.rays + 1u;
     return trace_visible(p.next_origin, p.light_direction, p.light_distance, shadow_key(p.key));
+#endif
 }
 
 // Traces the path's next ray and adds what it brings. False if the path ends there.

@@ -24,6 +24,9 @@ struct PathTracingVariant {
     // With `usual` and not `reorder`: samples of a launch follow each other without waiting for the
     // longest path of a warp.
     bool regenerate = false;
+    // With `usual` and not `reorder`: shadow rays leave from closest hit, which is a recursion of
+    // depth 2.
+    bool shadow_from_hit = false;
     auto operator<=>(const PathTracingVariant&) const = default;
 };
 
