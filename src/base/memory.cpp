@@ -1,20 +1,22 @@
 #include "base/memory.h"
 
-#include <cstdint>
-
 #if defined(__linux__)
 #include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdint>
 #endif
 
 namespace hm {
 
 void prefer_huge_pages(void* memory, std::size_t bytes) {
-    const auto address = reinterpret_cast<std::uintptr_t>(memory);
-    const std::size_t skipped = (kHugePage - address % kHugePage) % kHugePage;
-    if (bytes < skipped + kHugePage) return;
+    if (bytes < kHugePage) return;
 #if defined(__linux__)
-    (void)madvise(static_cast<std::byte*>(memory) + skipped,
-                  (bytes - skipped) / kHugePage * kHugePage, MADV_HUGEPAGE);
+    // From the page where the memory begins: large pieces lie where a huge page may, but for what
+    // the allocator notes in front of them.
+    const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+    const std::uintptr_t before = reinterpret_cast<std::uintptr_t>(memory) % page;
+    (void)::madvise(static_cast<std::byte*>(memory) - before, bytes + before, MADV_HUGEPAGE);
 #endif
 }
 
