@@ -237,9 +237,9 @@ Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& sce
     scene.nodes.reserve(shown);
     prefer_huge_pages(scene.nodes.data(), shown * sizeof(Node));
     scene.nodes.resize(shown);
+    Node elsewhere;  // one that is not shown, and valid all the same
     int index = 0;
     HM_TRY(root.for_each_object("nodes", [&](const Json& item) -> Result<void> {
-        Node elsewhere;  // in no scene that is shown, and valid all the same
         const int at = scene_node[std::size_t(index)],
                   parent = hierarchy.parents[std::size_t(index)];
         Node& node = at == kUnset ? elsewhere : scene.nodes[std::size_t(at)];
