@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <ctime>
+#include <limits>
 #include <vector>
 
 #include "base/machine.h"
@@ -163,7 +164,8 @@ double mrays_per_second(void (*trace)(TraceBatch&), const BvhView& view,
     constexpr int kRepeats = 7;
     hits.resize(rays.size());
     found.resize(rays.size());
-    std::vector<double> fastest((rays.size() + kBlock - 1) / kBlock, INFINITY);
+    std::vector<double> fastest((rays.size() + kBlock - 1) / kBlock,
+                                std::numeric_limits<double>::infinity());
     for (int repeat = 0; repeat < kRepeats; ++repeat)
         for (std::size_t b = 0; b < fastest.size(); ++b) {
             const std::size_t first = b * kBlock;
