@@ -52,7 +52,6 @@ class GpuScene {
                            std::span<const std::byte> bytes);
 
     rhi::Device& device_;
-    rhi::Uploader uploader_;
     EnvironmentData environment_{};
     GpuGeometry geometry_;
     GpuTextures textures_;
@@ -61,6 +60,7 @@ class GpuScene {
     rhi::Buffer sobol_directions_;
     rhi::DescriptorSet set_;
     GpuSceneReport report_;
+    rhi::Uploader uploader_;  // goes first, and waits: it copies into the others
 };
 
 }  // namespace hm

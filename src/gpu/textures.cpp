@@ -27,14 +27,27 @@ std::vector<bool> used_images(const FlatScene& scene) {
     return used;
 }
 
+std::string name_of(std::size_t image) {
+    return "image " + std::to_string(image);
+}
+
+// Before the first image is on its way.
+Result<void> check_sides(const rhi::Device& device, const FlatScene& scene,
+                         const std::vector<bool>& used) {
+    const std::uint32_t most = device.limits().max_image_side;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const ImageView& view = scene.images[i];
+        if (used[i] && std::max(view.width, view.height) > most)
+            return fail(ExitCode::unsupported, "", "",
+                        name_of(i) + " is " + std::to_string(view.width) + " x " +
+                            std::to_string(view.height) + ", " + device.physical().name +
+                            " takes up to " + std::to_string(most));
+    }
+    return {};
+}
+
 Result<rhi::Image> upload_image(rhi::Device& device, rhi::Uploader& uploader, const ImageView& view,
-                                std::size_t index) {
-    const std::string name = "image " + std::to_string(index);
-    if (std::max(view.width, view.height) > device.limits().max_image_side)
-        return fail(ExitCode::unsupported, "", "",
-                    name + " is " + std::to_string(view.width) + " x " +
-                        std::to_string(view.height) + ", " + device.physical().name +
-                        " takes up to " + std::to_string(device.limits().max_image_side));
+                                const std::string& name) {
     HM_TRY_ASSIGN(rhi::Image image,
                   rhi::Image::create(device, {name, format_of(view), view.width, view.height}));
     const auto* bytes = static_cast<const std::byte*>(view.pixels);
@@ -59,16 +72,17 @@ Result<GpuTextures> GpuTextures::upload(rhi::Device& device, rhi::Uploader& uplo
         return fail(ExitCode::unsupported, "", "",
                     "the scene has " + std::to_string(scene.images.size()) + " images, " +
                         device.physical().name + " takes " + std::to_string(room));
+    const std::vector<bool> used = used_images(scene);
+    HM_TRY(check_sides(device, scene, used));
     GpuTextures out;
     // Shaders fetch texels and filter themselves; a table of images wants a sampler nevertheless.
     HM_TRY_ASSIGN(out.sampler_, rhi::Sampler::create(device, {"texel"}));
     HM_TRY_ASSIGN(out.set_, rhi::DescriptorSet::create(device, "textures", layout));
-    const std::vector<bool> used = used_images(scene);
     out.images_.resize(scene.images.size());
     rhi::DescriptorWrites writes(layout);
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
-        HM_TRY_ASSIGN(out.images_[i], upload_image(device, uploader, scene.images[i], i));
+        HM_TRY_ASSIGN(out.images_[i], upload_image(device, uploader, scene.images[i], name_of(i)));
         writes.texture(0, out.images_[i], out.sampler_, std::uint32_t(i));
     }
     out.set_.update(writes);

@@ -55,8 +55,8 @@ Result<QueryPool> make_size_queries(const Device& device, std::uint32_t count) {
         .queryType = VK_QUERY_TYPE_ACCELERATION_STRUCTURE_COMPACTED_SIZE_KHR,
         .queryCount = count};
     VkQueryPool pool = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreateQueryPool(device.handle(), &info, nullptr, &pool), "vkCreateQueryPool",
-                 "compacted sizes"));
+    HM_TRY(device.check(vkCreateQueryPool(device.handle(), &info, nullptr, &pool),
+                        "vkCreateQueryPool", "compacted sizes"));
     return QueryPool(device.handle(), pool);
 }
 
@@ -110,11 +110,12 @@ Result<std::vector<AccelerationStructure>> compact_batch(
     Device& device, std::span<const Build> batch, std::span<const AccelerationStructure> built,
     VkQueryPool queries, BuildReport& report) {
     std::vector<std::uint64_t> sizes(batch.size());
-    HM_TRY(check(vkGetQueryPoolResults(
-                     device.handle(), queries, 0, static_cast<std::uint32_t>(sizes.size()),
-                     sizes.size() * sizeof(std::uint64_t), sizes.data(), sizeof(std::uint64_t),
-                     VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-                 "vkGetQueryPoolResults", "compacted sizes"));
+    HM_TRY(device.check(
+        vkGetQueryPoolResults(device.handle(), queries, 0, static_cast<std::uint32_t>(sizes.size()),
+                              sizes.size() * sizeof(std::uint64_t), sizes.data(),
+                              sizeof(std::uint64_t),
+                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+        "vkGetQueryPoolResults", "compacted sizes"));
     std::vector<AccelerationStructure> compacted;
     for (std::size_t i = 0; i < batch.size(); ++i) {
         HM_TRY_ASSIGN(

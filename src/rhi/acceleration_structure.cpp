@@ -19,8 +19,8 @@ Result<AccelerationStructure> AccelerationStructure::allocate(Device& device,
         .size = bytes,
         .type = type};
     VkAccelerationStructureKHR handle = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreateAccelerationStructureKHR(device.handle(), &info, nullptr, &handle),
-                 "vkCreateAccelerationStructureKHR", name));
+    HM_TRY(device.check(vkCreateAccelerationStructureKHR(device.handle(), &info, nullptr, &handle),
+                        "vkCreateAccelerationStructureKHR", name));
     device.name(VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, handle, name);
     structure.handle_ = {device.handle(), handle};
     const VkAccelerationStructureDeviceAddressInfoKHR address{

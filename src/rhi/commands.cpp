@@ -18,15 +18,15 @@ Result<Commands> Commands::begin(Device& device, std::string_view name) {
                                             .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
                                             .queueFamilyIndex = device.physical().queue_family};
     VkCommandPool pool = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreateCommandPool(device.handle(), &pool_info, nullptr, &pool),
-                 "vkCreateCommandPool", name));
+    HM_TRY(device.check(vkCreateCommandPool(device.handle(), &pool_info, nullptr, &pool),
+                        "vkCreateCommandPool", name));
     commands.pool_ = {device.handle(), pool};
     const VkCommandBufferAllocateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
                                            .commandPool = pool,
                                            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                            .commandBufferCount = 1};
-    HM_TRY(check(vkAllocateCommandBuffers(device.handle(), &info, &commands.handle_),
-                 "vkAllocateCommandBuffers", name));
+    HM_TRY(device.check(vkAllocateCommandBuffers(device.handle(), &info, &commands.handle_),
+                        "vkAllocateCommandBuffers", name));
     device.name(VK_OBJECT_TYPE_COMMAND_BUFFER, commands.handle_, name);
     HM_TRY(commands.start());
     return commands;
@@ -47,15 +47,15 @@ void Commands::swap(Commands& other) noexcept {
 }
 
 Result<void> Commands::begin_again() {
-    HM_TRY(
-        check(vkResetCommandPool(device_->handle(), pool_.get(), 0), "vkResetCommandPool", name_));
+    HM_TRY(device_->check(vkResetCommandPool(device_->handle(), pool_.get(), 0),
+                          "vkResetCommandPool", name_));
     return start();
 }
 
 Result<void> Commands::start() {
     const VkCommandBufferBeginInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    return check(vkBeginCommandBuffer(handle_, &info), "vkBeginCommandBuffer", name_);
+    return device_->check(vkBeginCommandBuffer(handle_, &info), "vkBeginCommandBuffer", name_);
 }
 
 Result<void> Commands::end() {
@@ -63,7 +63,7 @@ Result<void> Commands::end() {
     const Barrier to_host{.before = kEverything,
                           .after = {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT}};
     barriers(std::span(&to_host, 1));
-    return check(vkEndCommandBuffer(handle_), "vkEndCommandBuffer", name_);
+    return device_->check(vkEndCommandBuffer(handle_), "vkEndCommandBuffer", name_);
 }
 
 void Commands::copy(const Buffer& from, const Buffer& to, std::uint64_t from_offset,

@@ -69,8 +69,8 @@ Result<SetLayout> SetLayout::create(Device& device, std::string_view name,
         .bindingCount = static_cast<std::uint32_t>(list.size()),
         .pBindings = list.data()};
     VkDescriptorSetLayout handle = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &handle),
-                 "vkCreateDescriptorSetLayout", name));
+    HM_TRY(device.check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &handle),
+                        "vkCreateDescriptorSetLayout", name));
     device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, handle, name);
     SetLayout layout;
     layout.handle_ = {device.handle(), handle};
@@ -163,8 +163,8 @@ Result<DescriptorSet> DescriptorSet::create(Device& device, std::string_view nam
         .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
         .pPoolSizes = sizes.data()};
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreateDescriptorPool(device.handle(), &pool_info, nullptr, &pool),
-                 "vkCreateDescriptorPool", name));
+    HM_TRY(device.check(vkCreateDescriptorPool(device.handle(), &pool_info, nullptr, &pool),
+                        "vkCreateDescriptorPool", name));
     DescriptorSet set;
     set.device_ = &device;
     set.pool_ = {device.handle(), pool};
@@ -173,8 +173,8 @@ Result<DescriptorSet> DescriptorSet::create(Device& device, std::string_view nam
                                            .descriptorPool = pool,
                                            .descriptorSetCount = 1,
                                            .pSetLayouts = &layout_handle};
-    HM_TRY(check(vkAllocateDescriptorSets(device.handle(), &info, &set.handle_),
-                 "vkAllocateDescriptorSets", name));
+    HM_TRY(device.check(vkAllocateDescriptorSets(device.handle(), &info, &set.handle_),
+                        "vkAllocateDescriptorSets", name));
     device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, set.handle_, name);
     return set;
 }

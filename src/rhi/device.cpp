@@ -66,8 +66,8 @@ Result<void> Device::make_device() {
         .pQueueCreateInfos = &queue,
         .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
         .ppEnabledExtensionNames = extensions.data()};
-    HM_TRY(check(vkCreateDevice(physical_.handle, &info, nullptr, &device_), "vkCreateDevice",
-                 physical_.name));
+    HM_TRY(rhi::check(vkCreateDevice(physical_.handle, &info, nullptr, &device_), "vkCreateDevice",
+                      physical_.name));
     vkGetDeviceQueue(device_, physical_.queue_family, 0, &queue_);
     return {};
 }
@@ -151,6 +151,12 @@ Result<bool> Device::reached(Ticket ticket) const {
 
 Result<void> Device::wait_idle() {
     return check(vkDeviceWaitIdle(device_), "vkDeviceWaitIdle", physical_.name);
+}
+
+Error Device::error(VkResult result, std::string_view call, std::string_view object) const {
+    // A lost device has stopped using anything; where waiting fails too, there is no more to do.
+    vkDeviceWaitIdle(device_);
+    return device_error(result, call, object);
 }
 
 void Device::set_name(VkObjectType type, std::uint64_t handle, std::string_view name) const {

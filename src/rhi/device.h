@@ -51,6 +51,14 @@ class Device {
     Result<bool> reached(Ticket ticket) const;
     Result<void> wait_idle();
 
+    // What a failed call becomes (see error.h), `object` being what was made or used. Returns with
+    // nothing under way, so that all objects may go, in whatever order they do.
+    Error error(VkResult result, std::string_view call, std::string_view object) const;
+    Result<void> check(VkResult result, std::string_view call, std::string_view object) const {
+        if (result >= 0) return {};
+        return tl::unexpected(error(result, call, object));
+    }
+
     // What debuggers and validation messages call an object.
     template <class T>
     void name(VkObjectType type, T handle, std::string_view name) const {

@@ -38,7 +38,7 @@ Result<void> check_supported(const Device& device, const ImageInfo& info) {
     const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
         device.physical().handle, static_cast<VkFormat>(info.format), VK_IMAGE_TYPE_2D,
         VK_IMAGE_TILING_OPTIMAL, usage_of(info.use), 0, &limits);
-    HM_TRY(check(result, "vkGetPhysicalDeviceImageFormatProperties", info.name));
+    HM_TRY(device.check(result, "vkGetPhysicalDeviceImageFormatProperties", info.name));
     if (info.width <= limits.maxExtent.width && info.height <= limits.maxExtent.height) return {};
     return fail(ExitCode::device_failed, "Vulkan", info.name,
                 fmt::format("an image of {} x {}; the device takes {} x {}", info.width,
@@ -112,9 +112,9 @@ Result<Image> Image::create_in(Device& device, const ImageInfo& info, const Memo
     image.device_ = &device;
     image.info_ = info;
     const VkImageCreateInfo create = create_info(info);
-    HM_TRY(check(vmaCreateAliasingImage2(device.allocator(), block.allocation(), offset, &create,
-                                         &image.handle_),
-                 "vmaCreateAliasingImage2", info.name));
+    HM_TRY(device.check(vmaCreateAliasingImage2(device.allocator(), block.allocation(), offset,
+                                                &create, &image.handle_),
+                        "vmaCreateAliasingImage2", info.name));
     HM_TRY(image.make_view(device));
     return image;
 }
@@ -127,8 +127,8 @@ Result<void> Image::make_view(Device& device) {
         .viewType = VK_IMAGE_VIEW_TYPE_2D,
         .format = static_cast<VkFormat>(info_.format),
         .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, info_.levels, 0, 1}};
-    HM_TRY(check(vkCreateImageView(device.handle(), &view, nullptr, &view_), "vkCreateImageView",
-                 info_.name));
+    HM_TRY(device.check(vkCreateImageView(device.handle(), &view, nullptr, &view_),
+                        "vkCreateImageView", info_.name));
     device.name(VK_OBJECT_TYPE_IMAGE_VIEW, view_, info_.name);
     return {};
 }
@@ -157,8 +157,8 @@ Result<Sampler> Sampler::create(Device& device, const SamplerInfo& info) {
                                      .addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
                                      .maxLod = VK_LOD_CLAMP_NONE};
     VkSampler handle = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreateSampler(device.handle(), &create, nullptr, &handle), "vkCreateSampler",
-                 info.name));
+    HM_TRY(device.check(vkCreateSampler(device.handle(), &create, nullptr, &handle),
+                        "vkCreateSampler", info.name));
     device.name(VK_OBJECT_TYPE_SAMPLER, handle, info.name);
     Sampler sampler;
     sampler.handle_ = {device.handle(), handle};

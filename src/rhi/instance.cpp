@@ -128,13 +128,13 @@ Result<std::shared_ptr<Instance>> Instance::create(const InstanceOptions& option
     // The loader's way to say that it found no driver.
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
         return fail(ExitCode::no_device, "Vulkan", "", kNoDevices);
-    HM_TRY(check(result, "vkCreateInstance", ""));
+    HM_TRY(check(result, "vkCreateInstance", "the instance"));
     volkLoadInstance(made->instance_);
     if (options.validation) {
         messenger.pNext = nullptr;
         HM_TRY(check(
             vkCreateDebugUtilsMessengerEXT(made->instance_, &messenger, nullptr, &made->messenger_),
-            "vkCreateDebugUtilsMessengerEXT", ""));
+            "vkCreateDebugUtilsMessengerEXT", "the messenger"));
     }
     return made;
 }
@@ -154,10 +154,10 @@ Result<std::vector<PhysicalDevice>> Instance::devices() const {
     while (result == VK_INCOMPLETE) {
         std::uint32_t count = 0;
         HM_TRY(check(vkEnumeratePhysicalDevices(instance_, &count, nullptr),
-                     "vkEnumeratePhysicalDevices", ""));
+                     "vkEnumeratePhysicalDevices", "the devices"));
         handles.resize(count);
         result = vkEnumeratePhysicalDevices(instance_, &count, handles.data());
-        HM_TRY(check(result, "vkEnumeratePhysicalDevices", ""));
+        HM_TRY(check(result, "vkEnumeratePhysicalDevices", "the devices"));
         handles.resize(count);
     }
     std::vector<PhysicalDevice> devices;

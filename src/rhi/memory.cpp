@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -11,8 +12,14 @@ namespace hm::rhi {
 
 namespace {
 
-std::string gigabytes(std::uint64_t bytes) {
-    return fmt::format("{:.3g} GiB", static_cast<double>(bytes) / (1u << 30));
+// "1.5 GiB", "16 B"
+std::string size_text(std::uint64_t bytes) {
+    constexpr std::array<const char*, 6> kUnits = {"B", "KiB", "MiB", "GiB", "TiB", "PiB"};
+    auto size = static_cast<double>(bytes);
+    std::size_t unit = 0;
+    for (; size >= 1024 && unit + 1 < kUnits.size(); ++unit)
+        size /= 1024;
+    return fmt::format("{:.3g} {}", size, kUnits[unit]);
 }
 
 }  // namespace
@@ -46,11 +53,11 @@ VmaAllocationCreateInfo allocation_info(MemoryKind kind) {
 
 Error memory_error(const Device& device, VkResult result, std::string_view call,
                    std::string_view object, std::uint64_t bytes) {
-    Error error = device_error(result, call, object);
+    Error error = device.error(result, call, object);
     if (result != VK_ERROR_OUT_OF_DEVICE_MEMORY) return error;
     const MemoryUse use = device.memory_use();
-    error.message += fmt::format(": {} were asked for, {} of {} are in use", gigabytes(bytes),
-                                 gigabytes(use.used_bytes), gigabytes(use.budget_bytes));
+    error.message += fmt::format(": {} were asked for, {} of {} are in use", size_text(bytes),
+                                 size_text(use.used_bytes), size_text(use.budget_bytes));
     return error;
 }
 

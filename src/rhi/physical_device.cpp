@@ -34,16 +34,16 @@ std::vector<VkQueueFamilyProperties> queue_families(VkPhysicalDevice device) {
     return families;
 }
 
-Result<std::set<std::string>> extensions_of(VkPhysicalDevice device) {
+Result<std::set<std::string>> extensions_of(VkPhysicalDevice device, const std::string& name) {
     std::vector<VkExtensionProperties> properties;
     VkResult result = VK_INCOMPLETE;
     while (result == VK_INCOMPLETE) {
         std::uint32_t count = 0;
         HM_TRY(check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr),
-                     "vkEnumerateDeviceExtensionProperties", ""));
+                     "vkEnumerateDeviceExtensionProperties", name));
         properties.resize(count);
         result = vkEnumerateDeviceExtensionProperties(device, nullptr, &count, properties.data());
-        HM_TRY(check(result, "vkEnumerateDeviceExtensionProperties", ""));
+        HM_TRY(check(result, "vkEnumerateDeviceExtensionProperties", name));
         properties.resize(count);
     }
     std::set<std::string> names;
@@ -160,7 +160,7 @@ Result<PhysicalDevice> describe(VkPhysicalDevice handle, std::uint32_t index) {
 
     Offer offer;
     offer.api_version = base.apiVersion;
-    HM_TRY_ASSIGN(offer.extensions, extensions_of(handle));
+    HM_TRY_ASSIGN(offer.extensions, extensions_of(handle, device.name));
     offer.features = features_of(handle);
     const std::vector<VkQueueFamilyProperties> families = queue_families(handle);
     if (const std::optional<std::uint32_t> family = find_queue_family(families)) {

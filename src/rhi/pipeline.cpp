@@ -15,8 +15,8 @@ Result<ShaderModule> make_shader_module(Device& device, std::string_view name, S
                                         .codeSize = spirv.size_bytes(),
                                         .pCode = spirv.data()};
     VkShaderModule handle = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreateShaderModule(device.handle(), &info, nullptr, &handle),
-                 "vkCreateShaderModule", name));
+    HM_TRY(device.check(vkCreateShaderModule(device.handle(), &info, nullptr, &handle),
+                        "vkCreateShaderModule", name));
     device.name(VK_OBJECT_TYPE_SHADER_MODULE, handle, name);
     return ShaderModule(device.handle(), handle);
 }
@@ -43,8 +43,8 @@ Result<PipelineLayout> PipelineLayout::create(Device& device, std::string_view n
         .pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
         .pPushConstantRanges = &range};
     VkPipelineLayout handle = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &handle),
-                 "vkCreatePipelineLayout", name));
+    HM_TRY(device.check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &handle),
+                        "vkCreatePipelineLayout", name));
     device.name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, handle, name);
     layout.handle_ = {device.handle(), handle};
     return layout;
@@ -62,10 +62,10 @@ Result<ComputePipeline> ComputePipeline::create(Device& device, std::string_view
                   .pName = "main"},
         .layout = layout.handle()};
     VkPipeline handle = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreateComputePipelines(device.handle(),
-                                          cache != nullptr ? cache->handle() : VK_NULL_HANDLE, 1,
-                                          &info, nullptr, &handle),
-                 "vkCreateComputePipelines", name));
+    HM_TRY(device.check(vkCreateComputePipelines(
+                            device.handle(), cache != nullptr ? cache->handle() : VK_NULL_HANDLE, 1,
+                            &info, nullptr, &handle),
+                        "vkCreateComputePipelines", name));
     device.name(VK_OBJECT_TYPE_PIPELINE, handle, name);
     ComputePipeline pipeline;
     pipeline.handle_ = {device.handle(), handle};

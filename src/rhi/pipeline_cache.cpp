@@ -87,8 +87,8 @@ Result<PipelineCache> PipelineCache::open(Device& device, const fs::path& folder
                                          .initialDataSize = initial.size(),
                                          .pInitialData = initial.data()};
     VkPipelineCache handle = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreatePipelineCache(device.handle(), &info, nullptr, &handle),
-                 "vkCreatePipelineCache", cache.file_.string()));
+    HM_TRY(device.check(vkCreatePipelineCache(device.handle(), &info, nullptr, &handle),
+                        "vkCreatePipelineCache", cache.file_.string()));
     device.name(VK_OBJECT_TYPE_PIPELINE_CACHE, handle, "pipeline cache");
     cache.handle_ = {device.handle(), handle};
     cache.loaded_bytes_ = initial.size();
@@ -99,12 +99,12 @@ Result<PipelineCache> PipelineCache::open(Device& device, const fs::path& folder
 Result<void> PipelineCache::save() {
     if (file_.empty()) return {};
     std::size_t size = 0;
-    HM_TRY(check(vkGetPipelineCacheData(device_->handle(), handle_.get(), &size, nullptr),
-                 "vkGetPipelineCacheData", file_.string()));
+    HM_TRY(device_->check(vkGetPipelineCacheData(device_->handle(), handle_.get(), &size, nullptr),
+                          "vkGetPipelineCacheData", file_.string()));
     std::vector<std::byte> bytes(sizeof(FileHeader) + size);
-    HM_TRY(check(vkGetPipelineCacheData(device_->handle(), handle_.get(), &size,
-                                        bytes.data() + sizeof(FileHeader)),
-                 "vkGetPipelineCacheData", file_.string()));
+    HM_TRY(device_->check(vkGetPipelineCacheData(device_->handle(), handle_.get(), &size,
+                                                 bytes.data() + sizeof(FileHeader)),
+                          "vkGetPipelineCacheData", file_.string()));
     bytes.resize(sizeof(FileHeader) + size);
     const std::span<const std::byte> contents = std::span(bytes).subspan(sizeof(FileHeader));
     FileHeader header;

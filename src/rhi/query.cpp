@@ -14,8 +14,8 @@ Result<Timestamps> Timestamps::create(Device& device, std::string_view name, std
                                      .queryType = VK_QUERY_TYPE_TIMESTAMP,
                                      .queryCount = count};
     VkQueryPool pool = VK_NULL_HANDLE;
-    HM_TRY(check(vkCreateQueryPool(device.handle(), &info, nullptr, &pool), "vkCreateQueryPool",
-                 name));
+    HM_TRY(device.check(vkCreateQueryPool(device.handle(), &info, nullptr, &pool),
+                        "vkCreateQueryPool", name));
     device.name(VK_OBJECT_TYPE_QUERY_POOL, pool, name);
     timestamps.pool_ = {device.handle(), pool};
     return timestamps;
@@ -38,11 +38,11 @@ Result<std::vector<double>> Timestamps::milliseconds(std::uint32_t count) const 
     std::vector<double> times(count, 0.0);
     if (pool_.get() == VK_NULL_HANDLE || count == 0) return times;
     std::vector<std::uint64_t> ticks(count);
-    HM_TRY(check(vkGetQueryPoolResults(device_->handle(), pool_.get(), 0, count,
-                                       ticks.size() * sizeof(std::uint64_t), ticks.data(),
-                                       sizeof(std::uint64_t),
-                                       VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-                 "vkGetQueryPoolResults", "timestamps"));
+    HM_TRY(device_->check(vkGetQueryPoolResults(device_->handle(), pool_.get(), 0, count,
+                                                ticks.size() * sizeof(std::uint64_t), ticks.data(),
+                                                sizeof(std::uint64_t),
+                                                VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+                          "vkGetQueryPoolResults", "timestamps"));
     for (std::uint32_t i = 0; i < count; ++i)
         times[i] =
             static_cast<double>(ticks[i] - ticks[0]) * device_->limits().timestamp_period_ns * 1e-6;

@@ -96,9 +96,9 @@ Result<RayTracingPipeline> RayTracingPipeline::create(Device& device,
         .layout = info.layout->handle()};
     VkPipeline handle = VK_NULL_HANDLE;
     const VkPipelineCache cache_handle = cache != nullptr ? cache->handle() : VK_NULL_HANDLE;
-    HM_TRY(check(vkCreateRayTracingPipelinesKHR(device.handle(), VK_NULL_HANDLE, cache_handle, 1,
-                                                &create, nullptr, &handle),
-                 "vkCreateRayTracingPipelinesKHR", info.name));
+    HM_TRY(device.check(vkCreateRayTracingPipelinesKHR(device.handle(), VK_NULL_HANDLE,
+                                                       cache_handle, 1, &create, nullptr, &handle),
+                        "vkCreateRayTracingPipelinesKHR", info.name));
     device.name(VK_OBJECT_TYPE_PIPELINE, handle, info.name);
     RayTracingPipeline pipeline;
     pipeline.handle_ = {device.handle(), handle};
@@ -122,10 +122,10 @@ Result<void> RayTracingPipeline::make_table(Device& device, const RayTracingPipe
 
     const std::size_t groups = counts[0] + counts[1] + counts[2];
     std::vector<std::byte> handles(groups * handle_size);
-    HM_TRY(check(vkGetRayTracingShaderGroupHandlesKHR(device.handle(), handle_.get(), 0,
-                                                      static_cast<std::uint32_t>(groups),
-                                                      handles.size(), handles.data()),
-                 "vkGetRayTracingShaderGroupHandlesKHR", info.name));
+    HM_TRY(device.check(vkGetRayTracingShaderGroupHandlesKHR(device.handle(), handle_.get(), 0,
+                                                             static_cast<std::uint32_t>(groups),
+                                                             handles.size(), handles.data()),
+                        "vkGetRayTracingShaderGroupHandlesKHR", info.name));
     std::vector<std::byte> table(size);
     const std::byte* next = handles.data();
     for (std::size_t part = 0; part < 3; ++part) {

@@ -49,14 +49,17 @@ class Variable {
     std::optional<std::string> old_;
 };
 
-// With validation, unless HIMALAYA_VALIDATION=0 says that this machine has no layer.
-inline std::shared_ptr<Instance> make_instance() {
+// Unless HIMALAYA_VALIDATION=0 says that this machine has no layer.
+inline bool validates() {
     const char* wanted = std::getenv("HIMALAYA_VALIDATION");
-    const bool validates = wanted == nullptr || std::string(wanted) != "0";
+    return wanted == nullptr || std::string(wanted) != "0";
+}
+
+inline std::shared_ptr<Instance> make_instance() {
     // The layer leaks. Were it unloaded with the instance, its leaks would be no one's, and
     // tests/leaks.supp could not name it.
-    if (validates) ::dlopen("libVkLayer_khronos_validation.so", RTLD_LAZY | RTLD_NODELETE);
-    return value_of(Instance::create({.validation = validates}));
+    if (validates()) ::dlopen("libVkLayer_khronos_validation.so", RTLD_LAZY | RTLD_NODELETE);
+    return value_of(Instance::create({.validation = validates()}));
 }
 
 // Number HIMALAYA_TEST_DEVICE of the loader's list, or else the best, or where only software offers
