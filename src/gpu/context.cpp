@@ -5,7 +5,7 @@ namespace hm {
 Result<std::unique_ptr<GpuContext>> GpuContext::create(std::unique_ptr<rhi::Device> device,
                                                        const std::filesystem::path& cache_folder,
                                                        Diagnostics& diagnostics) {
-    std::unique_ptr<GpuContext> context(new GpuContext);
+    std::unique_ptr<GpuContext> context(new GpuContext(diagnostics));
     context->device_ = std::move(device);
     HM_TRY_ASSIGN(context->layouts_, SceneLayouts::create(*context->device_));
     HM_TRY_ASSIGN(context->cache_,
@@ -18,15 +18,25 @@ Result<const PathTracingPass*> GpuContext::path_tracing(PathTracingVariant varia
     if (found != path_tracing_.end()) return &found->second;
     HM_TRY_ASSIGN(PathTracingPass pass,
                   PathTracingPass::create(*device_, layouts_, variant, &cache_));
-    HM_TRY(cache_.save());
+    save_cache();
     return &path_tracing_.emplace(variant, std::move(pass)).first->second;
 }
 
 Result<const BareTracePass*> GpuContext::bare_trace() {
     if (!bare_trace_) {
         HM_TRY_ASSIGN(bare_trace_, BareTracePass::create(*device_, layouts_, &cache_));
+        save_cache();
     }
     return &*bare_trace_;
+}
+
+// Without the file pictures are the same, and the next run compiles again.
+void GpuContext::save_cache() {
+    const Result<void> saved = cache_.save();
+    if (saved) return;
+    const Error& error = saved.error();
+    diagnostics_.warn(error.file, error.place,
+                      "compiled pipelines can't be kept for the next run: " + error.message);
 }
 
 }  // namespace hm

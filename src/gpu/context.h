@@ -19,7 +19,7 @@ namespace hm {
 class GpuContext {
   public:
     // cache_folder: where compiled pipelines are kept between runs (rhi::default_cache_folder());
-    // empty keeps none.
+    // empty keeps none. `diagnostics`, which must outlive the context, hears where that fails.
     static Result<std::unique_ptr<GpuContext>> create(std::unique_ptr<rhi::Device> device,
                                                       const std::filesystem::path& cache_folder,
                                                       Diagnostics& diagnostics);
@@ -32,8 +32,10 @@ class GpuContext {
     Result<const BareTracePass*> bare_trace();
 
   private:
-    GpuContext() = default;
+    explicit GpuContext(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+    void save_cache();
 
+    Diagnostics& diagnostics_;
     std::unique_ptr<rhi::Device> device_;
     SceneLayouts layouts_;
     rhi::PipelineCache cache_;

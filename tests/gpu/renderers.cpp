@@ -15,11 +15,10 @@ using rhi::test::value_of;
 
 namespace {
 
-std::unique_ptr<GpuContext> make_context() {
+std::unique_ptr<GpuContext> make_context(Diagnostics& diagnostics) {
     const std::shared_ptr<rhi::Instance> instance = rhi::test::make_instance();
     const rhi::PhysicalDevice physical = rhi::test::any_device(*instance);
     std::printf("on %s, %s\n", physical.name.c_str(), physical.driver.c_str());
-    Diagnostics diagnostics;
     return value_of(
         GpuContext::create(value_of(rhi::Device::create(instance, physical)), "", diagnostics));
 }
@@ -27,7 +26,8 @@ std::unique_ptr<GpuContext> make_context() {
 }  // namespace
 
 GpuContext& gpu_context() {
-    static const std::unique_ptr<GpuContext> context = make_context();
+    static Diagnostics diagnostics;
+    static const std::unique_ptr<GpuContext> context = make_context(diagnostics);
     return *context;
 }
 

@@ -28,7 +28,7 @@ struct VulkanDevice {
 // In the order of their indices. Fails with ExitCode::no_device where no loader or driver answers.
 Result<std::vector<VulkanDevice>> list_vulkan_devices();
 
-// The best GPU, or the device of this index, which may be software.
+// The best GPU, or the device of this index, which may be software. `diagnostics` must outlive it.
 Result<std::unique_ptr<Device>> open_vulkan_device(std::optional<std::uint32_t> index,
                                                    Diagnostics& diagnostics);
 
