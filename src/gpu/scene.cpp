@@ -48,7 +48,7 @@ Result<void> check_memory(const rhi::Device& device, const FlatScene& scene) {
     const auto gib = [](std::uint64_t bytes) { return double(bytes) / double(1u << 30); };
     return fail(ExitCode::device_failed, "", "",
                 fmt::format("the scene needs about {:.1f} GiB of device memory, {} has {:.1f} GiB "
-                            "free; --device cpu draws it from main memory",
+                            "free",
                             gib(need), device.physical().name, gib(room)));
 }
 

@@ -29,7 +29,8 @@ class FakeRenderer final : public Renderer {
         return call();
     }
     Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
-                        const std::atomic<bool>&) override {
+                        const std::atomic<bool>& cancel) override {
+        if (cancel) end = begin;
         for (PixelSum& sum : sums_) {
             sum.radiance.x += step_ * float(end - begin);
             sum.weight += float(end - begin);
@@ -171,19 +172,23 @@ TEST(Fallback, NoSampleIsLostOrDrawnTwiceWhereverTheDeviceFails) {
     }
 }
 
-TEST(Fallback, ACancelledPictureFailsInsteadOfComingOutEmpty) {
-    FallbackRenderer renderer(std::make_unique<FakeRenderer>("first", 1.0f, 3),
+// Cancelled in its first pass: for a checkpoint, after which it goes on, or since time is over.
+TEST(Fallback, ACancelledPictureGetsItsFirstSampleAndMayGoOn) {
+    FallbackRenderer renderer(std::make_unique<FakeRenderer>("first", 1.0f, 2),
                               [](const Error&) -> Result<std::unique_ptr<Renderer>> {
                                   return std::make_unique<FakeRenderer>("second", 10.0f);
                               });
     Film film({0, 0, 2, 1});
     RenderCounters counters;
-    const std::atomic<bool> cancel{true};
     ASSERT_TRUE(renderer.begin({}, film));
-    ASSERT_TRUE(renderer.render(0, 2, counters, cancel));
-    const Result<void> synced = renderer.sync();
-    ASSERT_FALSE(synced);
-    EXPECT_EQ(synced.error().code, ExitCode::device_failed);
+    ASSERT_TRUE(renderer.render(0, 4, counters, std::atomic<bool>(true)));
+    ASSERT_TRUE(renderer.sync());
+    EXPECT_EQ(film.mean_samples(), 1.0);
+    EXPECT_EQ(counters.samples.load(), 2u);
+    ASSERT_TRUE(renderer.render(1, 4, counters, std::atomic<bool>(false)));
+    ASSERT_TRUE(renderer.sync());
+    EXPECT_EQ(film.mean_samples(), 4.0);
+    EXPECT_EQ(renderer.report().device, "second");
 }
 
 TEST(Fallback, TheSecondFailureIsFinal) {

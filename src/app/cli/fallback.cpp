@@ -60,11 +60,10 @@ void FallbackRenderer::remember() {
     counted_ = {counters_->samples.load(), counters_->rays.load(), counters_->non_finite.load()};
 }
 
-// The film is as the last sync left it; everything since then is drawn again. Not after a cancel:
-// then nobody waits for it, and an empty picture would pass for a drawn one.
+// The film is as the last sync left it; everything since then is drawn again. A cancel, be it for a
+// checkpoint or because time is over, ends that early, but not before each pixel has a sample.
 Result<void> FallbackRenderer::take_over(const Error& error) {
-    const bool is_cancelled = cancel_ != nullptr && cancel_->load();
-    if (!replace_ || !is_device_trouble(error) || is_cancelled) return tl::unexpected(error);
+    if (!replace_ || !is_device_trouble(error)) return tl::unexpected(error);
     if (film_holds_samples_) before_ = current_->report().device;
     HM_TRY_ASSIGN(current_, std::exchange(replace_, nullptr)(error));
     HM_TRY(current_->begin(job_, *film_));
@@ -73,8 +72,15 @@ Result<void> FallbackRenderer::take_over(const Error& error) {
         counters_->rays = counted_.rays;
         counters_->non_finite = counted_.non_finite;
     }
-    for (const Samples& s : since_sync_)
+    bool lacks_first = film_->most_samples() == 0;
+    for (Samples s : since_sync_) {
+        if (std::exchange(lacks_first, false)) {
+            HM_TRY(current_->render(s.begin, s.begin + 1, *counters_, std::atomic<bool>(false)));
+            ++s.begin;
+        }
+        if (cancel_->load()) break;
         HM_TRY(current_->render(s.begin, s.end, *counters_, *cancel_));
+    }
     return {};
 }
 

@@ -72,7 +72,7 @@ FilmRecord Keeper::record(const Film& film, const RenderCounters& counters, doub
     record.seconds = seconds;
     record.rays = counters.rays.load();
     record.non_finite = counters.non_finite.load();
-    record.picture = describe_(film, counters, seconds);
+    record.picture = describe_(film, counters, seconds, devices_text(record.devices));
     return record;
 }
 

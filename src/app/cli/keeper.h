@@ -13,8 +13,9 @@ namespace hm::cli {
 class Keeper {
   public:
     using Note = std::function<void(std::string_view)>;
-    // The picture's metadata as they are with these samples.
-    using Describe = std::function<Metadata(const Film&, const RenderCounters&, double seconds)>;
+    // The picture's metadata as they are with these samples of these devices (devices_text).
+    using Describe = std::function<Metadata(const Film&, const RenderCounters&, double seconds,
+                                            const std::string& devices)>;
 
     // `warn` hears of checkpoints that could not be written, which ends no rendering.
     Keeper(const RenderOptions& options, const Renderer& renderer, Settings settings,

@@ -104,14 +104,43 @@ std::uint32_t reached(const Film& film) {
     return film.first_sample + film.fewest_samples();
 }
 
-}  // namespace
+// Brings the film up to date, and knows what the counters said then.
+class Synced {
+  public:
+    Synced(Renderer& renderer, RenderCounters& counters)
+        : renderer_(renderer), counters_(counters) {
+        remember();
+    }
+    Result<void> sync() {
+        HM_TRY(renderer_.sync());
+        remember();
+        return {};
+    }
+    bool due(double every) const { return seconds_since(at_) >= every; }
+    // The counters as the film is.
+    void restore() {
+        counters_.samples = samples_;
+        counters_.rays = rays_;
+        counters_.non_finite = non_finite_;
+    }
 
-Result<PassResult> render_passes(Renderer& renderer, const RenderJob& job, Film& film,
-                                 RenderCounters& counters, const PassPlan& plan,
-                                 const PassHooks& hooks) {
-    HM_TRY(renderer.begin(job, film));
-    Watcher watcher(plan, hooks, counters, film);
-    // A pass ends where all pixels have as many samples; `until` is where the present one will.
+  private:
+    void remember() {
+        samples_ = counters_.samples;
+        rays_ = counters_.rays;
+        non_finite_ = counters_.non_finite;
+        at_ = Clock::now();
+    }
+
+    Renderer& renderer_;
+    RenderCounters& counters_;
+    std::uint64_t samples_ = 0, rays_ = 0, non_finite_ = 0;
+    Clock::time_point at_;
+};
+
+// A pass ends where all pixels have as many samples; `until` is where the present one will.
+Result<void> draw_passes(Renderer& renderer, const Film& film, RenderCounters& counters,
+                         const PassPlan& plan, Watcher& watcher, Synced& synced) {
     std::uint32_t done = reached(film), until = film.first_sample + film.most_samples();
     std::uint32_t count = 1;
     while (done < plan.end) {
@@ -123,18 +152,33 @@ Result<PassResult> render_passes(Renderer& renderer, const RenderJob& job, Film&
         HM_TRY(renderer.render(done, until, counters, watcher.cancel()));
         if (watcher.cancel()) {
             watcher.go_on();
-            HM_TRY(renderer.sync());
+            HM_TRY(synced.sync());
             done = reached(film);
         } else {
             count = next_pass(plan, until - done, watcher.seconds() - begin);
             done = until;
         }
-        if (!watcher.keep_due()) continue;
-        HM_TRY(renderer.sync());
-        watcher.keep();
+        const bool keeps = watcher.keep_due();
+        if (keeps || synced.due(plan.sync_every)) HM_TRY(synced.sync());
+        if (keeps) watcher.keep();
     }
-    HM_TRY(renderer.sync());
-    return PassResult{watcher.seconds(), watcher.stopped() && done < plan.end};
+    return synced.sync();
+}
+
+}  // namespace
+
+Result<PassResult> render_passes(Renderer& renderer, const RenderJob& job, Film& film,
+                                 RenderCounters& counters, const PassPlan& plan,
+                                 const PassHooks& hooks) {
+    HM_TRY(renderer.begin(job, film));
+    const double held = film.mean_samples();
+    Synced synced(renderer, counters);
+    Watcher watcher(plan, hooks, counters, film);
+    const Result<void> drawn = draw_passes(renderer, film, counters, plan, watcher, synced);
+    if (drawn) return PassResult{watcher.seconds(), watcher.stopped() && reached(film) < plan.end};
+    synced.restore();
+    if (film.mean_samples() == held) return tl::unexpected(drawn.error());
+    return PassResult{watcher.seconds(), false, drawn.error()};
 }
 
 }  // namespace hm::cli

@@ -9,67 +9,22 @@
 #include <string_view>
 #include <utility>
 
-#include "app/cli/aovs.h"
 #include "app/cli/denoise.h"
 #include "app/cli/devices.h"
+#include "app/cli/fallback.h"
 #include "app/cli/frames.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/keeper.h"
 #include "app/cli/output.h"
+#include "app/cli/outputs.h"
 #include "app/cli/passes.h"
-#include "app/cli/pictures.h"
-#include "app/cli/report.h"
-#include "app/cli/setup.h"
+#include "app/cli/picture_setup.h"
 #include "app/cli/vulkan_devices.h"
 #include "film/tonemap.h"
-#include "film/variance.h"
-#include "film/write.h"
 #include "gltf/load.h"
 
 namespace hm::cli {
 namespace {
-
-// Of a range of the samples, .exr files are parts. All are tried, and the first error is returned.
-Result<void> write_all(const RenderOptions& options, const Film& film, const FilmRecord& record,
-                       const std::optional<Denoiser>& denoiser, RenderSummary& summary) {
-    std::vector<std::filesystem::path> pictures;
-    Result<void> outcome;
-    for (const std::filesystem::path& path : options.outputs) {
-        const bool is_part = options.keep.samples && picture_kind(path) == PictureKind::exr;
-        if (!is_part) pictures.push_back(path);
-        Result<void> written = is_part ? write_part(path, options, film, record) : Result<void>();
-        if (!written && outcome) outcome = std::move(written);
-    }
-    const Result<PicturesReport> written = write_pictures(
-        pictures, film, options.width, options.height, record, denoiser ? &*denoiser : nullptr);
-    if (!written) return outcome ? tl::unexpected(written.error()) : outcome;
-    if (denoiser) summary.denoiser = denoiser->description();
-    summary.times.denoise = written->denoise_seconds;
-    summary.replaced_pixels = written->replaced_pixels;
-    return outcome;
-}
-
-// What could not be written is not lost where it is in the checkpoint.
-Result<void> say_where_kept(Result<void> written, const RenderOptions& options,
-                            const Keeper& keeper) {
-    if (!written && !options.keep.checkpoint.empty() && keeper.kept())
-        written.error().message +=
-            fmt::format("; the samples are kept in {}, --resume writes again",
-                        options.keep.checkpoint.string());
-    return written;
-}
-
-void fill_results(RenderSummary& summary, const Film& film, const RenderCounters& counters,
-                  double seconds) {
-    summary.times.render = seconds;
-    summary.samples = counters.samples.load();
-    summary.rays = counters.rays.load();
-    summary.non_finite = counters.non_finite.load();
-    summary.samples_per_pixel = film.mean_samples();
-    summary.removed_luminance = film.removed_luminance();
-    summary.mean_luminance = film.mean_luminance();
-    summary.estimated_error = estimated_error(film);
-}
 
 void note_defaults(Progress& progress, const RenderSummary& summary) {
     if (summary.environment == "default")
@@ -121,92 +76,104 @@ SceneFingerprint fingerprint(const Shared& shared) {
     return {shared.scene.hash, environment.hash.empty() ? environment.name : environment.hash};
 }
 
-Result<RenderJob> make_job(const RenderOptions& options, const Scene& scene, const FlatScene& flat,
-                           const CameraData& camera, const std::optional<PoseRecord>& next_pose) {
-    RenderJob job{camera, make_params(options, flat), make_filter_table(options.filter)};
-    if (!next_pose) return job;
-    const float aspect = float(options.width) / float(options.height);
-    HM_TRY_ASSIGN(const CameraChoice next,
-                  choose_camera(options.view, scene, next_pose->world, flat.bounds, aspect));
-    job.next_camera = next.data;
-    return job;
-}
-
-// One picture. It borrows the environment's tables.
-Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& progress,
-                      Diagnostics& diagnostics) {
-    RenderSummary summary;
-    summary.times.load = std::exchange(shared.load_seconds, 0.0);
-
-    Clock::time_point start = Clock::now();
-    HM_TRY_ASSIGN(const auto pose, choose_pose(options, shared.scene, diagnostics));
-    HM_TRY_ASSIGN(const auto next_pose, record_next_pose(options, shared.scene, pose));
-    if (pose) HM_TRY(pose_scene(shared.scene, pose));
+// The environment is chosen with the first picture, and its map lent to each in turn.
+Result<PictureSetup> set_up(const RenderOptions& options, Shared& shared, Progress& progress,
+                            Diagnostics& diagnostics) {
+    const Clock::time_point start = Clock::now();
     const bool is_first = !shared.environment;
     if (is_first) {
         HM_TRY_ASSIGN(shared.environment, choose_environment(options, shared.scene));
     }
-    summary.environment = shared.environment->name;
-    FlatScene flat = flatten(shared.scene, std::move(shared.environment->map),
-                             LightChoice{.punctual = options.punctual}, diagnostics);
-    const float aspect = float(options.width) / float(options.height);
-    HM_TRY_ASSIGN(const CameraChoice camera,
-                  choose_camera(options.view, shared.scene, flat.bounds, aspect));
-    const AovSetup aovs = prepare_aovs(options, shared.scene, flat, next_pose);
-    summary.camera = camera.name;
-    summary.view = view_flags(camera.data);
-    summary.scene = scene_stats(shared.scene, flat);
-    summary.scene_hash = shared.scene.hash;
-    summary.times.flatten = seconds_since(start);
-    if (is_first) note_defaults(progress, summary);
+    HM_TRY_ASSIGN(PictureSetup setup,
+                  set_up_picture(options, shared.scene, *shared.environment, diagnostics));
+    setup.summary.times.load = std::exchange(shared.load_seconds, 0.0);
+    setup.summary.times.flatten = seconds_since(start);
+    if (is_first) note_defaults(progress, setup.summary);
+    return setup;
+}
 
-    start = Clock::now();
-    HM_TRY_ASSIGN(const std::unique_ptr<Renderer> renderer, shared.device->load(flat));
-    summary.times.prepare = seconds_since(start);
-
-    Film film(options.crop.value_or(PixelRect{0, 0, options.width, options.height}),
-              aovs.selection);
-    RenderCounters counters;
-    HM_TRY_ASSIGN(const RenderJob job,
-                  make_job(options, shared.scene, flat, camera.data, next_pose));
-    summary.renderer = renderer->report();
-    Keeper keeper(
-        options, *renderer, picture_settings(options, job, film.selection, fingerprint(shared)),
-        aovs.names,
-        [&](const Film& so_far, const RenderCounters& counted, double seconds) {
-            RenderSummary now = summary;
-            now.renderer.device = devices_text(keeper.devices());
-            fill_results(now, so_far, counted, seconds);
-            return picture_metadata(options, now);
+Keeper make_keeper(const RenderOptions& options, const Shared& shared, const PictureSetup& setup,
+                   const Renderer& renderer, Progress& progress) {
+    return Keeper(
+        options, renderer,
+        picture_settings(options, setup.job, setup.aovs.selection, fingerprint(shared)),
+        setup.aovs.names,
+        [&](const Film& film, const RenderCounters& counters, double seconds,
+            const std::string& devices) {
+            return picture_metadata(options,
+                                    with_samples(setup.summary, film, counters, seconds, devices));
         },
         [&](std::string_view line) { progress.warning(line); });
+}
+
+// Where the user has named a GPU, nothing takes over.
+template <class T>
+Result<T> with_way_out(Result<T> result) {
+    if (!result && is_device_trouble(result.error()))
+        result.error().message += "; --device cpu draws without it";
+    return result;
+}
+
+Result<PassResult> draw_samples(Renderer& renderer, const RenderJob& job, Film& film,
+                                RenderCounters& counters, Keeper& keeper, Progress& progress) {
+    Result<PassResult> passes =
+        render_passes(renderer, job, film, counters, keeper.plan(), hooks(film, keeper, progress));
+    progress.finish();
+    return with_way_out(std::move(passes));
+}
+
+// A device that failed in the middle, and what became of the samples that the film had by then.
+Result<ExitCode> device_failure(Error error, const Film& film, const Result<void>& written) {
+    error.message += written
+                         ? fmt::format("; what there was by then, {:.6g} samples/pixel, is written",
+                                       film.mean_samples())
+                         : "; " + written.error().line();
+    return with_way_out(Result<ExitCode>(tl::unexpected(std::move(error))));
+}
+
+// One picture.
+Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& progress,
+                      Diagnostics& diagnostics) {
+    HM_TRY_ASSIGN(PictureSetup setup, set_up(options, shared, progress, diagnostics));
+    RenderSummary& summary = setup.summary;
+
+    Clock::time_point start = Clock::now();
+    HM_TRY_ASSIGN(const std::unique_ptr<Renderer> renderer,
+                  with_way_out(shared.device->load(setup.flat)));
+    summary.times.prepare = seconds_since(start);
+    summary.renderer = renderer->report();
+
+    Film film(options.crop.value_or(PixelRect{0, 0, options.width, options.height}),
+              setup.aovs.selection);
+    RenderCounters counters;
+    Keeper keeper = make_keeper(options, shared, setup, *renderer, progress);
     HM_TRY(keeper.begin(std::exchange(shared.resumed, std::nullopt), film, counters));
     HM_TRY_ASSIGN(const PassResult passes,
-                  render_passes(*renderer, job, film, counters, keeper.plan(),
-                                hooks(film, keeper, progress)));
-    progress.finish();
-    summary.renderer = renderer->report();
-    summary.renderer.device = devices_text(keeper.devices());
-    summary.interrupted = passes.interrupted;
-    fill_results(summary, film, counters, passes.seconds);
+                  draw_samples(*renderer, setup.job, film, counters, keeper, progress));
     if (film.most_samples() == 0) {
         progress.note("interrupted before the first sample: nothing is written");
         return ExitCode::interrupted;
     }
 
     start = Clock::now();
+    summary.renderer = renderer->report();
+    summary.interrupted = passes.interrupted || passes.failed;
     summary.exposure = options.exposure ? *options.exposure : auto_exposure(film.resolve());
+    summary = with_samples(std::move(summary), film, counters, passes.seconds,
+                           devices_text(keeper.devices()));
     keeper.keep(film, counters, passes.seconds);
-    HM_TRY(say_where_kept(write_all(options, film, keeper.record(film, counters, passes.seconds),
-                                    shared.denoiser, summary),
-                          options, keeper));
+    const Result<void> written =
+        write_outputs(options, film, keeper.record(film, counters, passes.seconds),
+                      keeper.kept().has_value(), shared.denoiser, summary);
+    if (!written && !passes.failed) return tl::unexpected(written.error());
     summary.times.write = seconds_since(start) - summary.times.denoise;
 
     record_warnings(summary, options.input, diagnostics);
     progress.note(summary_line(summary));
     if (options.json) HM_TRY(print(json_report(options, summary, diagnostics)));
-    shared.environment->map = std::move(flat.environment);
+    if (passes.failed) return device_failure(*passes.failed, film, written);
     HM_TRY(keeper.kept());
+    shared.environment->map = std::move(setup.flat.environment);
     return summary.interrupted ? ExitCode::interrupted : ExitCode::ok;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/cli/json_writer.h"
+#include "film/variance.h"
 
 namespace hm::cli {
 namespace {
@@ -97,6 +98,20 @@ SceneStats scene_stats(const Scene& scene, const FlatScene& flat) {
     s.punctual_lights = flat.lights.size();
     s.emissive_triangles = flat.emitters.size();
     return s;
+}
+
+RenderSummary with_samples(RenderSummary summary, const Film& film, const RenderCounters& counters,
+                           double seconds, const std::string& devices) {
+    summary.renderer.device = devices;
+    summary.times.render = seconds;
+    summary.samples = counters.samples.load();
+    summary.rays = counters.rays.load();
+    summary.non_finite = counters.non_finite.load();
+    summary.samples_per_pixel = film.mean_samples();
+    summary.removed_luminance = film.removed_luminance();
+    summary.mean_luminance = film.mean_luminance();
+    summary.estimated_error = estimated_error(film);
+    return summary;
 }
 
 // The seconds aside, nothing here depends on the clock, and on the machine only what bits depend

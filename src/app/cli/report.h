@@ -48,6 +48,10 @@ struct RenderSummary {
 
 SceneStats scene_stats(const Scene& scene, const FlatScene& flat);
 
+// The summary with what the samples so far make of it. `devices`: what drew them (devices_text).
+RenderSummary with_samples(RenderSummary summary, const Film& film, const RenderCounters& counters,
+                           double seconds, const std::string& devices);
+
 Metadata picture_metadata(const RenderOptions& options, const RenderSummary& summary);
 std::string json_report(const RenderOptions& options, const RenderSummary& summary,
                         const Diagnostics& diagnostics);
