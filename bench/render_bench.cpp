@@ -142,7 +142,7 @@ std::string measure_aovs(const BenchScene& bench, Renderer& renderer,
     std::vector<std::pair<std::string, AovSelection>> choices = {{"none", {}}};
     for (const AovInfo& info : all_aovs())
         choices.push_back({std::string(info.name), {{info.aov}, {}, false}});
-    choices.push_back({"all", {*parse_aovs("all"), {}, false}});
+    choices.push_back({"all", {*parse_aovs("all,variance"), {}, false}});
     std::vector<double> best(choices.size(), 1e30);
     for (int turn = 0; turn < 3; ++turn)
         for (std::size_t i = 0; i < choices.size(); ++i) {

@@ -88,7 +88,7 @@ tl::expected<std::vector<Aov>, std::string> parse_aovs(std::string_view text) {
         at = end + 1;
         bool known = name == "all";
         for (std::size_t i = 0; i < kAovs.size(); ++i) {
-            if (name != "all" && name != kAovs[i].name) continue;
+            if (name == "all" ? kAovs[i].aov == Aov::variance : name != kAovs[i].name) continue;
             chosen[i] = known = true;
         }
         if (!known) return tl::unexpected(fmt::format("\"{}\" is none of {}", name, known_names()));

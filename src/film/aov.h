@@ -80,7 +80,8 @@ struct AovSelection {
     bool operator==(const AovSelection&) const = default;
 };
 
-// "albedo,depth" or "all"; the error completes a sentence and lists the names.
+// "albedo,depth", or "all" but the variance, which alone changes the beauty: "all,variance" is
+// every one. The error completes a sentence and lists the names.
 tl::expected<std::vector<Aov>, std::string> parse_aovs(std::string_view text);
 // What parse_aovs reads; empty for none.
 std::string aov_names(std::span<const Aov> aovs);

@@ -16,7 +16,7 @@ namespace {
 
 AovSelection everything() {
     AovSelection s;
-    s.aovs = *parse_aovs("all");
+    s.aovs = *parse_aovs("all,variance");
     s.light_groups = {"lamp", "environment"};
     return s;
 }
@@ -125,7 +125,12 @@ TEST(Film, EmptyPartsChangeNothing) {
 }
 
 TEST(Aov, NamesAreParsed) {
-    EXPECT_EQ(parse_aovs("all")->size(), all_aovs().size());
+    EXPECT_EQ(parse_aovs("all,variance")->size(), all_aovs().size());
+    EXPECT_EQ(parse_aovs("variance,all"), parse_aovs("all,variance"));
+    // Whoever asks for all gets the beauty that there is without any.
+    AovSelection all{*parse_aovs("all"), {}, false};
+    EXPECT_EQ(all.aovs.size() + 1, all_aovs().size());
+    EXPECT_FALSE(all.has(Aov::variance));
     const std::vector<Aov> both = {Aov::albedo, Aov::normal};
     EXPECT_EQ(*parse_aovs("normal,albedo,normal"), both);
     for (const char* text : {"", "albedo,", "Albedo", "albedo normal"}) {

@@ -40,7 +40,7 @@ class FilmStore : public testing::Test {
 
 AovSelection everything() {
     AovSelection selection;
-    selection.aovs = *parse_aovs("all");
+    selection.aovs = *parse_aovs("all,variance");
     selection.light_groups = {"sun", "the lamp, \"left\"", "a\nb"};
     return selection;
 }

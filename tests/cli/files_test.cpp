@@ -65,7 +65,8 @@ std::uint64_t count_of(dom::element info, const char* what) {
 
 // Everything that `info` says there is to draw.
 std::vector<Shot> shots_of(dom::element info) {
-    std::vector<Shot> shots = {{{"--aov", "all", "-o", "picture.exr", "-o", "picture.png"}}};
+    std::vector<Shot> shots = {
+        {{"--aov", "all,variance", "-o", "picture.exr", "-o", "picture.png"}}};
     for (std::uint64_t i = 0, scenes = count_of(info, "scenes"); scenes > 1 && i < scenes; ++i)
         shots.push_back({{"--scene", std::to_string(i), "-o", "picture.exr"}});
     for (const dom::element variant : info["file"]["variants"].get_array())

@@ -140,7 +140,7 @@ def check_refusals(program, folder):
 def main(program, folder):
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    path = render(program, folder / "all.exr", "--aov", "all", "--background", "transparent",
+    path = render(program, folder / "all.exr", "--aov", "all,variance", "--background", "transparent",
                   "--clamp", "0.5")
     header, channels = read(path)
     check_names(path, channels)

@@ -89,7 +89,7 @@ TEST_F(Merge, PartsOfPartsAndCheckpoints) {
 // UVs of the lowest sample stay those of the first part.
 TEST_F(Merge, EveryLayer) {
     constexpr int kSamples = 16;
-    const Arguments all = {"--aov", "all"};
+    const Arguments all = {"--aov", "all,variance"};
     expect_ok(with(small_render(folder / "whole.exr", kSamples), all));
     expect_ok(part(folder / "a.exr", 0, 5, all));
     expect_ok(part(folder / "b.exr", 5, 6, all));

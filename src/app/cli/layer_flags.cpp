@@ -39,7 +39,8 @@ void add_layer_flags(CLI::App& app, LayerOptions& o) {
     for (const AovInfo& info : all_aovs())
         names += std::string(names.empty() ? "" : ", ") + std::string(info.name);
     add(app, "--aov", "NAMES|all", o.aovs, parse_aovs,
-        "Layers of .exr files beside the beauty, separated by commas: " + names);
+        "Layers of .exr files beside the beauty, separated by commas: " + names +
+            ". all leaves out variance, which alone makes the beauty noisier: all,variance");
     app.add_flag("--light-groups", o.light_groups,
                  "The beauty once more for each light, each emissive material and the environment "
                  "alone, as --aov light_groups");
