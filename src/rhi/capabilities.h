@@ -14,6 +14,8 @@ namespace hm::rhi {
 inline constexpr const char* kVulkan13 = "Vulkan 1.3";
 inline constexpr const char* kComputeQueue = "a queue that computes";
 inline constexpr const char* kTimestamps = "timestamps";
+inline constexpr const char* kInvocationReorder = "rayTracingInvocationReorder";
+inline constexpr const char* kRayQuery = "VK_KHR_ray_query";  // reported, not enabled
 
 // What a device says of itself, by Vulkan's own names.
 struct Offer {

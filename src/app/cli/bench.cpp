@@ -6,6 +6,7 @@
 #include <atomic>
 #include <optional>
 
+#include "app/cli/bench_report.h"
 #include "app/cli/json_writer.h"
 #include "app/cli/output.h"
 #include "app/cli/prepared_scene.h"
@@ -18,24 +19,6 @@ namespace {
 
 constexpr double kSecondsPerRound = 1;
 constexpr int kRounds = 3;
-
-// A stretch of drawing.
-struct Round {
-    std::uint64_t samples = 0, rays = 0;
-    double seconds = 0;         // wall clock
-    double device_seconds = 0;  // the device's own clock; 0 where it has none
-};
-
-struct SceneRates {
-    RendererReport report;
-    std::uint32_t samples_per_pixel = 0;  // of a round
-    Round best;
-    std::optional<TraceRates> traced;
-};
-
-double per_second(double count, double seconds) {
-    return seconds > 0 ? count / seconds : 0;
-}
 
 Result<Round> draw(Renderer& renderer, std::uint32_t begin, std::uint32_t end) {
     RenderCounters counters;
@@ -71,54 +54,6 @@ Result<SceneRates> measure(Device& device, const PreparedScene& scene, std::uint
     rates.report = renderer->report();
     HM_TRY_ASSIGN(rates.traced, device.trace_rates(scene.flat, scene.job));
     return rates;
-}
-
-// Of one sample, all by the device's clock, so that the two sides are of one kind.
-void write_traced(JsonWriter& json, const TraceRates& t) {
-    const double rays = double(t.rays()), closest = double(t.closest_rays);
-    const auto rate = [](double count, double ms) { return per_second(count, ms * 1e-3); };
-    json.key("one_sample").begin_object();
-    json.field("closest_rays", t.closest_rays).field("shadow_rays", t.shadow_rays);
-    json.field("gpu_milliseconds", t.path_ms);
-    json.field("rays_per_second", rate(rays, t.path_ms));
-    json.field("closest_rays_per_second", rate(closest, t.path_ms));
-    json.field("shadow_rays_per_second", rate(rays - closest, t.path_ms)).end_object();
-    json.key("several_samples").begin_object().field("samples", t.several);
-    json.key("gpu_milliseconds_per_sample").begin_object();
-    for (const auto& [way, ms] : t.ways)
-        json.field(way, ms);
-    json.end_object().end_object();
-    json.key("bare").begin_object();
-    json.field("rays_per_second", rate(rays, t.bare_ms));
-    json.field("closest_rays_per_second", rate(closest, t.bare_closest_ms));
-    json.field("shadow_rays_per_second", rate(rays - closest, t.bare_shadow_ms));
-    json.field("rays_per_second_in_path_order", rate(rays, t.bare_loop_ms)).end_object();
-    json.field("share_of_bare_rate", t.path_ms > 0 ? t.bare_ms / t.path_ms : 0);
-    json.field("share_of_bare_rate_in_path_order", t.path_ms > 0 ? t.bare_loop_ms / t.path_ms : 0);
-}
-
-void write_scene(JsonWriter& json, const std::string& name, const SceneRates& r) {
-    const double samples = double(r.best.samples), rays = double(r.best.rays);
-    json.begin_object().field("scene", name).field("device", r.report.device);
-    json.field("driver", r.report.variant);
-    if (!r.report.launches.empty()) json.field("launches", r.report.launches);
-    json.key("acceleration_structure").begin_object();
-    for (const auto& [part, count] : r.report.structure)
-        json.field(part, count);
-    json.field("bytes", r.report.structure_bytes).end_object();
-    json.field("upload_seconds", r.report.upload_seconds);
-    json.field("build_seconds", r.report.build_seconds);
-    json.field("device_bytes", r.report.device_bytes);
-    json.field("samples_per_pixel", r.samples_per_pixel).field("seconds", r.best.seconds);
-    json.field("samples_per_second", per_second(samples, r.best.seconds));
-    json.field("rays_per_second", per_second(rays, r.best.seconds));
-    json.field("rays_per_sample", rays / samples);
-    json.field("milliseconds_per_sample", r.best.seconds * 1e3 / r.samples_per_pixel);
-    if (r.best.device_seconds > 0)
-        json.field("gpu_milliseconds_per_sample",
-                   r.best.device_seconds * 1e3 / r.samples_per_pixel);
-    if (r.traced) write_traced(json, *r.traced);
-    json.end_object();
 }
 
 // auto takes a GPU if there is one. Nothing is replaced later: that would measure another device.

@@ -17,6 +17,14 @@ namespace hm::cli {
 
 Parsed<DeviceFlag> parse_device(std::string_view text);  // "auto", "cpu", "vulkan" or "vulkan:N"
 
+// What a GPU's bench measures of one scene.
+struct TracedRates {
+    TraceRates rates;
+    // The same with hits sorted before they are shaded, where the device offers it.
+    std::optional<TraceRates> reordered;
+    bool sorts = false;  // the device says that it really does, and pictures are drawn that way
+};
+
 // Opened once, for all pictures of a run.
 class Device {
   public:
@@ -26,10 +34,10 @@ class Device {
     virtual Result<std::unique_ptr<Renderer>> load(const FlatScene& scene) = 0;
     // What one sample of each pixel takes by the device's clock, beside the same rays traced by
     // empty shaders; nothing where the device has no such thing.
-    virtual Result<std::optional<TraceRates>> trace_rates(const FlatScene& scene,
-                                                          const RenderJob& job) {
+    virtual Result<std::optional<TracedRates>> trace_rates(const FlatScene& scene,
+                                                           const RenderJob& job) {
         (void)scene, (void)job;
-        return std::optional<TraceRates>();
+        return std::optional<TracedRates>();
     }
 };
 

@@ -24,12 +24,20 @@ class GpuDevice final : public Device {
         HM_TRY_ASSIGN(std::unique_ptr<Renderer> renderer, VulkanRenderer::create(*context_, scene));
         return renderer;
     }
-    Result<std::optional<TraceRates>> trace_rates(const FlatScene& flat,
-                                                  const RenderJob& job) override {
+    Result<std::optional<TracedRates>> trace_rates(const FlatScene& flat,
+                                                   const RenderJob& job) override {
         constexpr std::uint32_t kRepeats = 9;
+        rhi::Device& device = context_->device();
         HM_TRY_ASSIGN(const std::unique_ptr<GpuScene> scene,
-                      GpuScene::create(context_->device(), context_->layouts(), flat));
-        return measure_tracing(*context_, *scene, job, {}, kRepeats);
+                      GpuScene::create(device, context_->layouts(), flat));
+        TracedRates traced;
+        HM_TRY_ASSIGN(traced.rates, measure_tracing(*context_, *scene, job, {}, kRepeats));
+        if (device.physical().has(rhi::kInvocationReorder)) {
+            HM_TRY_ASSIGN(traced.reordered,
+                          measure_tracing(*context_, *scene, job, {.reorder = true}, kRepeats));
+            traced.sorts = device.limits().reorders_rays;
+        }
+        return traced;
     }
 
   private:
