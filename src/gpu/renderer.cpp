@@ -18,34 +18,6 @@ std::string name_of(std::optional<Launches> launches) {
 
 using TraceCounterRows = std::array<TraceCounters, kCounterRows>;
 
-Result<rhi::Image> make_sum_image(rhi::Device& device, const char* name, rhi::Format format,
-                                  std::uint32_t width, std::uint32_t height) {
-    // Uploads leave images ready to be sampled.
-    const rhi::ImageUse use = rhi::ImageUse::storage | rhi::ImageUse::sampled;
-    return rhi::Image::create(device, {name, format, width, height, 1, use});
-}
-
-// Fills an image of layout general with what the film holds.
-template <class T>
-Result<void> upload_sums(rhi::Device& device, const rhi::Image& image, const std::vector<T>& sums) {
-    HM_TRY_ASSIGN(rhi::Uploader uploader, rhi::Uploader::create(device));
-    HM_TRY(uploader.image(image, 0, std::as_bytes(std::span(sums))));
-    HM_TRY(uploader.finish());
-    return rhi::run_once(device, "sums to general", [&](rhi::Commands& commands) -> Result<void> {
-        commands.transition(image, rhi::ImageLayout::shader_read, rhi::ImageLayout::general);
-        return {};
-    });
-}
-
-template <class T>
-Result<std::vector<T>> download_sums(rhi::Device& device, const rhi::Image& image,
-                                     std::size_t count) {
-    std::vector<T> sums(count);
-    HM_TRY(rhi::read_back(device, image, rhi::ImageLayout::general,
-                          std::as_writable_bytes(std::span(sums))));
-    return sums;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<VulkanRenderer>> VulkanRenderer::create(GpuContext& context,
@@ -104,14 +76,16 @@ Result<void> VulkanRenderer::make_slots() {
 Result<void> VulkanRenderer::begin(const RenderJob& job, Film& film) {
     HM_TRY(context_.device().wait_idle());
     film_ = &film;
-    clamps_ = job.params.max_radiance > 0;
     added_.assign(film.crop.height(), 0);
     HM_TRY(scene_->set_frame(job.params, job.camera, job.filter_table));
     HM_TRY(make_aovs(job));
     std::uint64_t most = context_.device().limits().max_rays_per_trace;
     if (!surfaces_.empty()) most = std::min(most, kNotedSamples);
     sizer_ = BatchSizer(film.crop.width(), film.crop.height(), most);
-    return make_targets();
+    HM_TRY_ASSIGN(sums_, GpuSums::create(context_.device(), film, job.params.max_radiance > 0));
+    for (Slot& slot : slots_)
+        HM_TRY(declare(slot));
+    return {};
 }
 
 Result<void> VulkanRenderer::make_aovs(const RenderJob& job) {
@@ -140,35 +114,13 @@ Result<void> VulkanRenderer::make_aovs(const RenderJob& job) {
     return {};
 }
 
-Result<void> VulkanRenderer::make_targets() {
-    rhi::Device& device = context_.device();
-    const std::uint32_t width = film_->crop.width();
-    const std::uint32_t height = film_->crop.height();
-    HM_TRY_ASSIGN(accumulation_,
-                  make_sum_image(device, "accumulation", rhi::Format::rgba32f, width, height));
-    HM_TRY_ASSIGN(removed_, make_sum_image(device, "removed luminance", rhi::Format::r32f,
-                                           clamps_ ? width : 1, clamps_ ? height : 1));
-    std::vector<vec4> sums;
-    std::vector<float> removed;
-    for (const PixelSum& s : film_->sums) {
-        sums.emplace_back(s.radiance, s.alpha);
-        removed.push_back(s.removed);
-    }
-    if (!clamps_) removed.resize(1);
-    HM_TRY(upload_sums(device, accumulation_, sums));
-    HM_TRY(upload_sums(device, removed_, removed));
-    for (Slot& slot : slots_)
-        HM_TRY(declare(slot));
-    return {};
-}
-
 // One submission. The graph makes it wait for the other slot's, which adds to the same sums.
 Result<void> VulkanRenderer::declare(Slot& slot) {
     slot.graph = std::make_unique<graph::Graph>(context_.device(), "trace");
     graph::Ref counters = slot.graph->import(counters_);
     graph::Pass trace = slot.graph->pass("trace", graph::PassKind::trace);
-    trace.updates(slot.graph->import(accumulation_));
-    trace.updates(slot.graph->import(removed_));
+    trace.updates(slot.graph->import(sums_.accumulation()));
+    trace.updates(slot.graph->import(sums_.removed()));
     counters = trace.updates(counters);
     if (aovs_)
         for (const rhi::Buffer& plane : aovs_->planes())
@@ -210,7 +162,7 @@ void VulkanRenderer::record_trace(rhi::Commands& commands, Slot& slot) {
                               .hits = uvec2(std::uint32_t(hits), std::uint32_t(hits >> 32)),
                               .noted_begin = batch.sample_begin,
                               .noted_samples = batch.samples_per_pixel()};
-    PathTracingTargets targets{accumulation_, removed_, counters_};
+    PathTracingTargets targets{sums_.accumulation(), sums_.removed(), counters_};
     targets.aovs = aovs_ ? &*aovs_ : nullptr;
     slot.timestamps.write(commands, 0);
     pass_->record(commands, *scene_, targets, range, batch.rows, batch.launches);
@@ -285,12 +237,7 @@ Result<void> VulkanRenderer::sync() {
     HM_CHECK(film_ != nullptr, "sync before begin");
     HM_TRY(context_.device().wait_idle());
     rhi::Device& device = context_.device();
-    const std::size_t count = film_->sums.size();
-    HM_TRY_ASSIGN(const std::vector<vec4> sums, download_sums<vec4>(device, accumulation_, count));
-    std::vector<float> removed;
-    if (clamps_) {
-        HM_TRY_ASSIGN(removed, download_sums<float>(device, removed_, count));
-    }
+    HM_TRY_ASSIGN(const GpuSums::Values sums, sums_.download(device));
     if (aovs_) {
         HM_TRY_ASSIGN(std::vector<std::vector<float>> planes, aovs_->download(device));
         for (std::size_t p = 0; p < planes.size(); ++p)
@@ -298,12 +245,12 @@ Result<void> VulkanRenderer::sync() {
         film_->ids = ids_;
     }
     const std::uint32_t width = film_->crop.width();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < film_->sums.size(); ++i) {
         PixelSum& sum = film_->sums[i];
-        sum.radiance = vec3(sums[i]);
-        sum.alpha = sums[i].w;
+        sum.radiance = vec3(sums.radiance[i]);
+        sum.alpha = sums.radiance[i].w;
         sum.weight += float(added_[i / width]);
-        if (clamps_) sum.removed = removed[i];
+        if (!sums.removed.empty()) sum.removed = sums.removed[i];
     }
     added_.assign(added_.size(), 0);
     return {};

@@ -10,6 +10,7 @@
 #include "gpu/batches.h"
 #include "gpu/context.h"
 #include "gpu/scene.h"
+#include "gpu/sums.h"
 #include "graph/graph.h"
 #include "rhi/query.h"
 
@@ -50,7 +51,6 @@ class VulkanRenderer final : public Renderer {
 
     VulkanRenderer(GpuContext& context, const FlatScene& flat) : context_(context), flat_(flat) {}
     Result<void> make_slots();
-    Result<void> make_targets();
     Result<void> make_aovs(const RenderJob& job);
     Result<void> declare(Slot& slot);
     void declare_hits(Slot& slot, graph::Pass& trace);
@@ -70,9 +70,7 @@ class VulkanRenderer final : public Renderer {
     double trace_seconds_ = 0;
 
     Film* film_ = nullptr;
-    bool clamps_ = false;
-    rhi::Image accumulation_;
-    rhi::Image removed_;
+    GpuSums sums_;
     BatchSizer sizer_;
     std::vector<std::uint32_t> added_;  // samples per row of the film since the last sync
     std::optional<GpuAovs> aovs_;
