@@ -17,6 +17,8 @@ std::vector<Capability> judge(const Offer& offer) {
     for (const Feature& feature : all_features())
         all.push_back({feature.name, feature.purpose, feature.required,
                        offer.features.contains(feature.name)});
+    all.push_back({kRayQuery, "rays from any shader: nothing needs it yet, previews may", false,
+                   offer.extensions.contains(kRayQuery)});
     all.push_back({kTimestamps, "timing what the device does", false, offer.timestamps});
     return all;
 }

@@ -119,7 +119,6 @@ std::vector<DriverManifest> find_manifests(const Environment& environment, const
 }
 
 std::string library_trouble(const std::string& library) {
-    if (library.empty()) return "the manifest names no library";
     void* handle = ::dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (handle == nullptr) {
         const char* reason = ::dlerror();
@@ -127,6 +126,18 @@ std::string library_trouble(const std::string& library) {
     }
     ::dlclose(handle);
     return "";
+}
+
+std::string manifest_trouble(const DriverManifest& manifest) {
+    std::error_code error;
+    if (!fs::exists(manifest.file, error)) return "there is no such file";
+    const std::string& library = manifest.driver;
+    if (library.empty()) return "the manifest names no library";
+    if (std::string trouble = library_trouble(library); !trouble.empty()) return trouble;
+    void* handle = ::dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    const bool is_driver = ::dlsym(handle, "vk_icdGetInstanceProcAddr") != nullptr;
+    ::dlclose(handle);
+    return is_driver ? "" : library + " is no Vulkan driver: it has no vk_icdGetInstanceProcAddr";
 }
 
 std::string drivers_to_add(const std::vector<DriverManifest>& manifests,

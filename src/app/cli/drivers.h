@@ -13,7 +13,7 @@ struct DriverManifest {
     std::filesystem::path file;
     std::string driver;        // the library as it is to be opened: a name or a path
     bool is_searched = true;   // the loader looks there by itself
-    std::string trouble = {};  // why the library can't be opened; empty if it can, or was not tried
+    std::string trouble = {};  // manifest_trouble, where it was tried
 };
 
 // An environment variable's value, empty where it is not set.
@@ -27,6 +27,10 @@ std::vector<DriverManifest> find_manifests(const Environment& environment,
 
 // Why the library can't be opened, in the words of the system; empty if it can.
 std::string library_trouble(const std::string& library);
+
+// Why the loader can make nothing of a manifest: no file, no library named, one that can't be
+// opened or is no Vulkan driver; empty if it can.
+std::string manifest_trouble(const DriverManifest& manifest);
 
 // A value for VK_ADD_DRIVER_FILES: the manifests that the loader would not find, of drivers that it
 // knows by no other manifest. Empty where there are none, or where the user has chosen drivers.

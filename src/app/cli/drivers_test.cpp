@@ -79,12 +79,18 @@ TEST_F(Drivers, TheUsersChoiceStands) {
     }
 }
 
-TEST_F(Drivers, AFileThatIsNoManifestHasNoLibrary) {
-    variables_ = {{"VK_DRIVER_FILES", "/nowhere/icd.json"}};
-    const auto found = find();
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0].driver, "");
-    EXPECT_NE(library_trouble(found[0].driver), "");
+TEST_F(Drivers, AManifestThatLeadsNowhereSaysWhy) {
+    const auto trouble = [&](const fs::path& file) {
+        variables_ = {{"VK_DRIVER_FILES", file.string()}};
+        return manifest_trouble(find().at(0));
+    };
+    EXPECT_EQ(trouble("/nowhere/icd.json"), "there is no such file");
+    const fs::path empty = write("mine/empty.json", "");
+    EXPECT_EQ(trouble(empty), "the manifest names no library");
+    const std::string missing = trouble(write("mine/missing.json", "libGLX_missing.so.0"));
+    EXPECT_TRUE(missing.starts_with("libGLX_missing.so.0: ")) << missing;
+    EXPECT_EQ(trouble(write("mine/other.json", "libc.so.6")),
+              "libc.so.6 is no Vulkan driver: it has no vk_icdGetInstanceProcAddr");
 }
 
 TEST_F(Drivers, ALibraryThatIsMissingIsNamed) {

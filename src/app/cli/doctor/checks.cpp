@@ -58,17 +58,19 @@ bool has_node(const Machine& m, std::string_view start) {
 }
 
 bool sees_nvidia(const Machine& m) {
-    return !m.nvidia_kernel_driver.empty() || has_node(m, "/dev/nvidia");
+    return !m.nvidia.kernel_driver.empty() || has_node(m, "/dev/nvidia");
 }
 
-// The container toolkit hands out the driver's parts by capability, and compute alone is its
-// default.
 std::string nvidia_container_advice(const Machine& m) {
+    const std::string& capabilities = m.nvidia.capabilities;
+    if (!lacks_graphics(capabilities))
+        return "The container got no Vulkan driver though graphics is asked for: see that the host "
+               "has one (nvidia_icd.json, not a driver for computing alone), and update NVIDIA's "
+               "container toolkit.";
     return fmt::format(
         "The container got no graphics part of the driver (NVIDIA_DRIVER_CAPABILITIES is {}): "
-        "start "
-        "it with -e NVIDIA_DRIVER_CAPABILITIES=all, and install libxext6 and libegl1 in it.",
-        m.nvidia_capabilities.empty() ? "not set" : "\"" + m.nvidia_capabilities + "\"");
+        "start it with -e NVIDIA_DRIVER_CAPABILITIES=all, and install libxext6 and libegl1 in it.",
+        capabilities.empty() ? "not set" : "\"" + capabilities + "\"");
 }
 
 std::string driver_advice(const Machine& m) {
@@ -97,11 +99,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kPackages
 }};
 
 std::string library_advice(const Machine& m, const DriverManifest& manifest) {
+    if (manifest.driver.empty())
+        return m.chosen_drivers.empty() ? "Install the driver that the file belongs to again."
+                                        : "Unset the variable, or name a manifest.";
     for (const auto& [library, package] : kPackages)
         if (manifest.trouble.starts_with(library))
             return fmt::format("Install {} (Debian, Ubuntu).", package);
-    if (manifest.driver.find("nvidia") != std::string::npos && m.in_container)
-        return nvidia_container_advice(m);
+    if (is_nvidia(manifest) && m.in_container) return nvidia_container_advice(m);
     return "Install the driver again: its manifest is there, its library is not.";
 }
 
@@ -138,6 +142,42 @@ Findings check_drivers(const Machine& m) {
              m.chosen_drivers.empty() ? "none is installed" : "none of those can be used",
              m.chosen_drivers.empty() ? driver_advice(m)
                                       : "Unset the variable, or name a manifest."});
+    return findings;
+}
+
+bool is_nvidia_device(const VulkanDevice& d) {
+    return d.name.find("NVIDIA") != std::string::npos;
+}
+
+// Only where its card is there and does not trace: what works needs no advice.
+Findings check_nvidia(const Machine& m) {
+    const NvidiaFacts& n = m.nvidia;
+    if (!sees_nvidia(m) || std::any_of(m.devices.begin(), m.devices.end(), [](const auto& d) {
+            return is_nvidia_device(d) && can_trace(d);
+        }))
+        return {};
+    Findings findings;
+    const auto warn = [&](std::string text, std::string advice) {
+        findings.push_back({Level::warning, "NVIDIA driver", std::move(text), std::move(advice)});
+    };
+    if (m.in_container && lacks_graphics(n.capabilities))
+        warn("the container is not given the part of the driver that has Vulkan",
+             nvidia_container_advice(m));
+    if (!n.user_driver.empty() && !n.kernel_driver.empty() && n.user_driver != n.kernel_driver)
+        warn(fmt::format("the kernel runs {}, the library is {}", n.kernel_driver, n.user_driver),
+             m.in_container ? "Let NVIDIA's container toolkit bring the host's driver, instead of "
+                              "installing one in the image."
+                            : "They must be of one version: restart after an update.");
+    for (const LibraryFacts& library : n.opened) {
+        if (library.trouble.empty()) continue;
+        warn(fmt::format("it opens {} by itself: {}", library.name, library.trouble),
+             !library.package.empty()
+                 ? fmt::format("Install {} (Debian, Ubuntu); other systems have it in libglvnd and "
+                               "their X11 libraries.",
+                               library.package)
+             : m.in_container ? nvidia_container_advice(m)
+                              : "Install the driver again: it traces rays with this part.");
+    }
     return findings;
 }
 
@@ -179,7 +219,7 @@ Findings check_devices(const Machine& m) {
     Findings findings;
     bool has_nvidia = false, has_gpu = false;
     for (const VulkanDevice& d : m.devices) {
-        has_nvidia = has_nvidia || d.name.find("NVIDIA") != std::string::npos;
+        has_nvidia = has_nvidia || is_nvidia_device(d);
         has_gpu = has_gpu || (!d.is_software && can_trace(d));
         if (can_trace(d)) {
             findings.push_back({d.is_software ? Level::note : Level::good, "device",
@@ -215,9 +255,9 @@ Findings check_denoiser(const Machine& m) {
 }  // namespace
 
 const std::vector<Check>& all_checks() {
-    static const std::vector<Check> kChecks = {check_cpu,     check_memory,  check_build,
-                                               check_loader,  check_drivers, check_nodes,
-                                               check_devices, check_denoiser};
+    static const std::vector<Check> kChecks = {check_cpu,    check_memory,  check_build,
+                                               check_loader, check_drivers, check_nvidia,
+                                               check_nodes,  check_devices, check_denoiser};
     return kChecks;
 }
 

@@ -33,7 +33,7 @@ Machine healthy() {
     m.loader = {"/usr/lib/libvulkan.so.1", "1.3.239", ""};
     m.manifests = {{"/usr/share/vulkan/icd.d/nvidia_icd.json", "libGLX_nvidia.so.0", true, ""}};
     m.nodes = {{"/dev/dri/renderD128", true}, {"/dev/nvidiactl", true}};
-    m.nvidia_kernel_driver = "580.159.04";
+    m.nvidia.kernel_driver = "580.159.04";
     m.devices = {make_device("NVIDIA Fake 3000", false, true)};
     m.denoiser = {"/opt/lib/libOpenImageDenoise.so.2",
                   "Open Image Denoise 2.5.1 on cuda (Fake)",
@@ -104,7 +104,7 @@ TEST(Doctor, KnowsAContainerWithoutTheGraphicsCapability) {
     m.in_container = true;
     m.manifests.clear();
     m.devices.clear();
-    m.nvidia_capabilities = "compute,utility";
+    m.nvidia.capabilities = "compute,utility";
     const std::string said = warnings_of(m);
     EXPECT_TRUE(says(said, "none is installed")) << said;
     EXPECT_TRUE(says(said, "NVIDIA_DRIVER_CAPABILITIES is \"compute,utility\"")) << said;
@@ -120,8 +120,52 @@ TEST(Doctor, NamesThePackageOfALibraryThatADriverMisses) {
     EXPECT_TRUE(says(warnings_of(m), "Install libxext6"));
     m.manifests[0].trouble = "libEGL.so.1: cannot open shared object file: No such file";
     EXPECT_TRUE(says(warnings_of(m), "Install libegl1"));
+    m.manifests[0].trouble = "libGLdispatch.so.0: cannot open shared object file: No such file";
+    EXPECT_TRUE(says(warnings_of(m), "Install libglvnd0"));
     m.manifests[0].trouble = "libGLX_nvidia.so.0: cannot open shared object file: No such file";
     EXPECT_TRUE(says(warnings_of(m), "NVIDIA_DRIVER_CAPABILITIES"));
+}
+
+// The driver's library opens, but no device comes of it: what it opens by itself is missing.
+TEST(Doctor, NamesWhatNvidiasDriverOpensByItself) {
+    Machine m = healthy();
+    m.nvidia.opened = {
+        {"libEGL.so.1", "libegl1", "libEGL.so.1: cannot open shared object file"},
+        {"libGLdispatch.so.0", "libglvnd0", ""},
+        {"libnvidia-rtcore.so.580.159.04", "", "libnvidia-rtcore.so.580.159.04: cannot open"}};
+    EXPECT_EQ(warnings_of(m), "");  // it works all the same
+    m.devices = {make_device("llvmpipe", true, true)};
+    std::string said = warnings_of(m);
+    EXPECT_TRUE(says(said, "it opens libEGL.so.1 by itself")) << said;
+    EXPECT_TRUE(says(said, "Install libegl1")) << said;
+    EXPECT_FALSE(says(said, "libGLdispatch")) << said;
+    EXPECT_TRUE(says(said, "-> Install the driver again: it traces rays")) << said;
+    m.in_container = true;
+    m.nvidia.capabilities = "compute,graphics,utility";
+    said = warnings_of(m);
+    EXPECT_TRUE(says(said, "though graphics is asked for")) << said;
+    EXPECT_FALSE(says(said, "not given the part")) << said;
+    m.nvidia.capabilities = "compute,utility";
+    EXPECT_TRUE(says(warnings_of(m), "not given the part of the driver that has Vulkan"));
+}
+
+TEST(Doctor, SeesTwoVersionsOfNvidiasDriver) {
+    Machine m = healthy();
+    m.nvidia.user_driver = "570.86.10";
+    EXPECT_EQ(warnings_of(m), "");
+    m.devices.clear();
+    EXPECT_TRUE(says(warnings_of(m),
+                     "the kernel runs 580.159.04, the library is 570.86.10 -> "
+                     "They must be of one version: restart"));
+    m.in_container = true;
+    EXPECT_TRUE(says(warnings_of(m), "instead of installing one in the image"));
+}
+
+TEST(Doctor, KnowsWhichCapabilitiesHaveGraphics) {
+    for (const char* some : {"all", "graphics", "compute,graphics,utility"})
+        EXPECT_FALSE(lacks_graphics(some)) << some;
+    for (const char* none : {"", "compute,utility", "video"})
+        EXPECT_TRUE(lacks_graphics(none)) << none;
 }
 
 TEST(Doctor, TellsOfAManifestThatOnlyHimalayaFinds) {
@@ -149,7 +193,7 @@ TEST(Doctor, SaysThatAChosenDriverIsNotThere) {
 TEST(Doctor, SoftwareAloneIsNoGpu) {
     Machine m = healthy();
     m.nodes.clear();
-    m.nvidia_kernel_driver.clear();
+    m.nvidia.kernel_driver.clear();
     m.devices = {make_device("llvmpipe", true, true)};
     const std::string said = warnings_of(m);
     EXPECT_TRUE(says(said, "no GPU can draw")) << said;
@@ -184,6 +228,21 @@ TEST(Doctor, SaysThatABuildLeavesVulkanOut) {
     m.devices.clear();
     m.devices_trouble = "this build leaves the Vulkan renderer out";
     EXPECT_TRUE(says(warnings_of(m), "HIMALAYA_VULKAN=ON"));
+}
+
+TEST(Doctor, RayQueriesAreATierThatNothingNeeds) {
+    rhi::Offer offer;
+    VulkanDevice device;
+    for (const bool has : {false, true}) {
+        if (has) offer.extensions.insert("VK_KHR_ray_query");
+        device.capabilities = rhi::judge(offer);
+        const auto tiers = tiers_of(device);
+        const auto tier = std::find_if(tiers.begin(), tiers.end(), [](const FeatureTier& t) {
+            return says(t.feature, "rays from any shader");
+        });
+        ASSERT_NE(tier, tiers.end());
+        EXPECT_EQ(tier->missing.empty(), has);
+    }
 }
 
 TEST(Doctor, FeaturesComeOncePerPurposeWithAllThatIsMissing) {

@@ -5,9 +5,9 @@
 #include <link.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <system_error>
 
@@ -64,15 +64,6 @@ std::vector<DeviceNode> examine_nodes() {
     return nodes;
 }
 
-// "NVRM version: NVIDIA UNIX x86_64 Kernel Module  580.159.04  ...": the first word that begins
-// with a digit and has a dot.
-std::string nvidia_kernel_driver() {
-    std::ifstream file("/proc/driver/nvidia/version");
-    for (std::string word; file >> word;)
-        if (word.front() >= '0' && word.front() <= '9' && word.find('.') != word.npos) return word;
-    return "";
-}
-
 DenoiserFacts examine_denoiser() {
     DenoiserFacts facts;
     const Result<oidn::Library> library = oidn::load_library();
@@ -105,10 +96,10 @@ Machine examine_machine() {
     if (m.chosen_drivers.empty()) m.chosen_drivers = process_environment("VK_ICD_FILENAMES");
     m.added_drivers = drivers_to_add(m.manifests, process_environment);
     for (DriverManifest& manifest : m.manifests)
-        manifest.trouble = library_trouble(manifest.driver);
+        manifest.trouble = manifest_trouble(manifest);
     m.nodes = examine_nodes();
-    m.nvidia_kernel_driver = nvidia_kernel_driver();
-    m.nvidia_capabilities = process_environment("NVIDIA_DRIVER_CAPABILITIES");
+    m.nvidia = examine_nvidia(process_environment,
+                              std::any_of(m.manifests.begin(), m.manifests.end(), is_nvidia));
     Result<std::vector<VulkanDevice>> devices = list_vulkan_devices();
     if (devices)
         m.devices = std::move(*devices);

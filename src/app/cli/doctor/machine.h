@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/doctor/nvidia.h"
 #include "app/cli/drivers.h"
 #include "app/cli/vulkan_devices.h"
 #include "base/machine.h"
@@ -49,8 +50,7 @@ struct Machine {
     std::string chosen_drivers;  // VK_DRIVER_FILES or VK_ICD_FILENAMES
     std::string added_drivers;   // what we add ourselves, see drivers_to_add
     std::vector<DeviceNode> nodes;
-    std::string nvidia_kernel_driver;  // its version, where its module is loaded
-    std::string nvidia_capabilities;   // NVIDIA_DRIVER_CAPABILITIES
+    NvidiaFacts nvidia;
 
     std::vector<VulkanDevice> devices;
     std::string devices_trouble;  // why none could be listed

@@ -32,6 +32,10 @@ void add_tiers(std::string& text, const VulkanDevice& device) {
     }
 }
 
+// What to do about a device that draws wrong or not at all.
+constexpr const char* kTrialAdvice =
+    "Update its driver; until then another device draws right: --device cpu.";
+
 std::string trial_line(const Trial& t) {
     if (!t.trouble.empty()) return t.trouble;
     std::string line =
@@ -66,7 +70,9 @@ void write_trials(JsonWriter& json, const std::vector<Trial>& trials) {
     json.key("trials").begin_array();
     for (const Trial& t : trials) {
         json.begin_object().field("device", t.device).field("passed", t.holds());
-        json.field("trouble", t.trouble).field("prepare_seconds", t.prepare_seconds);
+        json.field("trouble", t.trouble);
+        json.field("advice", t.holds() ? "" : kTrialAdvice)
+            .field("prepare_seconds", t.prepare_seconds);
         json.field("render_seconds", t.render_seconds).field("rays", t.rays);
         if (t.parity) {
             json.field("mean_difference", t.parity->mean_difference);
@@ -104,9 +110,11 @@ std::string doctor_text(const Diagnosis& d) {
     }
     fmt::format_to(std::back_inserter(text), "\ndemo:cornell, {} x {} pixels, {} samples each\n",
                    kTrialSize, kTrialSize, kTrialSamples);
-    for (const Trial& t : d.trials)
+    for (const Trial& t : d.trials) {
         fmt::format_to(std::back_inserter(text), "{:8} {}: {}\n", t.holds() ? "ok" : "FAILED",
                        printable(t.device), printable(trial_line(t)));
+        if (!t.holds()) fmt::format_to(std::back_inserter(text), "{:8} {}\n", "", kTrialAdvice);
+    }
     return text;
 }
 
