@@ -19,7 +19,7 @@ struct LibraryFacts {
 struct NvidiaFacts {
     std::string kernel_driver;         // the version, where its module is loaded: "580.159.04"
     std::string capabilities;          // NVIDIA_DRIVER_CAPABILITIES
-    std::string library;               // version of the Vulkan driver's own library, where it opens
+    std::string user_driver;           // version of the Vulkan driver's own library, where it opens
     std::vector<LibraryFacts> opened;  // what the driver opens by itself; where there is one
 };
 
