@@ -99,17 +99,8 @@ struct Way {
     PathTracingVariant variant;
 };
 
-constexpr Way kWays[] = {
-    {"launches", Launches::one_per_sample, {.usual = true}},
-    {"loop", Launches::loop, {.usual = true}},
-    {"regenerating_loop", Launches::loop, {.usual = true, .regenerate = true}},
-    {"launches_shadow_from_hit",
-     Launches::one_per_sample,
-     {.usual = true, .shadow_from_hit = true}},
-    {"loop_shadow_from_hit", Launches::loop, {.usual = true, .shadow_from_hit = true}},
-    {"regenerating_loop_shadow_from_hit",
-     Launches::loop,
-     {.usual = true, .regenerate = true, .shadow_from_hit = true}}};
+constexpr Way kWays[] = {{"launches", Launches::one_per_sample, {.usual = true}},
+                         {"loop", Launches::loop, {.usual = true}}};
 
 // As many samples as one of the renderer's batches.
 Result<void> measure_ways(GpuContext& context, const GpuScene& scene, const Scratch& scratch,
@@ -118,8 +109,6 @@ Result<void> measure_ways(GpuContext& context, const GpuScene& scene, const Scra
     const TraceRange range = first_samples(rates.several);
     const std::uint32_t height = scratch.accumulation.info().height;
     for (const Way& way : kWays) {
-        if (way.variant.shadow_from_hit && context.device().limits().max_recursion_depth < 2)
-            continue;
         HM_TRY_ASSIGN(const PathTracingPass* paths, context.path_tracing(way.variant));
         const auto record = [&](rhi::Commands& commands) {
             paths->record(commands, scene,

@@ -6,11 +6,9 @@
 #include "gpu/tables.h"
 #include "shaders/anyhit_rahit.h"
 #include "shaders/closesthit_rchit.h"
-#include "shaders/closesthit_shadow_from_hit.h"
 #include "shaders/layout_comp.h"
 #include "shaders/miss_rmiss.h"
 #include "shaders/reference_view_rgen.h"
-#include "shaders/reference_view_shadow_from_hit.h"
 #include "shaders/shadow_anyhit.h"
 #include "shaders/shadow_miss_rmiss.h"
 #include "shading/path/types.h"
@@ -32,11 +30,6 @@ TEST(StagesLayout, PayloadsAreContracts) {
     EXPECT_EQ(test::read_payload_sizes(shaders::anyhit_rahit()), path);
     EXPECT_EQ(test::read_payload_sizes(shaders::shadow_anyhit()), shadow);
     EXPECT_EQ(test::read_payload_sizes(shaders::shadow_miss_rmiss()), shadow);
-    // Where closest hit traces the shadow ray, its count travels in place of the ray.
-    const Sizes shorter = {{"PathPayload", sizeof(PathPayload) - sizeof(vec4) + sizeof(uint)},
-                           {"ShadowPayload", sizeof(ShadowPayload)}};
-    EXPECT_EQ(test::read_payload_sizes(shaders::reference_view_shadow_from_hit()), shorter);
-    EXPECT_EQ(test::read_payload_sizes(shaders::closesthit_shadow_from_hit()), shorter);
     EXPECT_EQ(offsetof(PathPayload, key), 0u);
     EXPECT_EQ(offsetof(ShadowPayload, key), 0u);
 }

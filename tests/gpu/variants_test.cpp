@@ -93,20 +93,6 @@ TEST_F(PathTracingVariants, LaunchesOfOneSampleAddUpToALoop) {
     expect_same(loop, draw(usual, Launches::one_per_sample));
 }
 
-TEST_F(PathTracingVariants, RegeneratingPathsChangesNone) {
-    const Drawn loop = draw({.usual = true}, Launches::loop);
-    expect_same(loop, draw({.usual = true, .regenerate = true}, Launches::loop));
-}
-
-TEST_F(PathTracingVariants, ShadowRaysFromHitsChangeNone) {
-    if (gpu_context().device().limits().max_recursion_depth < 2)
-        GTEST_SKIP() << "rays start one deep only";
-    const Drawn loop = draw({.usual = true}, Launches::loop);
-    expect_same(loop, draw({.usual = true, .shadow_from_hit = true}, Launches::loop));
-    expect_same(loop,
-                draw({.usual = true, .regenerate = true, .shadow_from_hit = true}, Launches::loop));
-}
-
 }  // namespace
 
 }  // namespace hm::test

@@ -6,11 +6,6 @@
 #include "shading/path/aov_facts_off.h"
 #endif
 
-#ifdef HM_SHADOW_FROM_HIT
-// The including stage keeps the light sample's ray, and traces it once closest_hit is through.
-HM_HOOK(void keep_light_ray(vec3 direction, float t_max))
-#endif
-
 // Light sampling: direction, distance and the contribution if nothing stands between.
 HM_FN void shade_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) frame, vec3 ng,
                               vec3 wo, HM_IN(uvec4) numbers) {
@@ -23,12 +18,8 @@ HM_FN void shade_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Fram
     float weight = 1.0f;
     if (!light.punctual && params.strategy == kStrategyMis)
         weight = mis_weight(light.pdf, pdf_bsdf);
-#ifdef HM_SHADOW_FROM_HIT
-    keep_light_ray(light.wi, light.distance);
-#else
     p.light_direction = light.wi;
     p.light_distance = light.distance;
-#endif
     p.light_contribution = f * light.radiance * (weight / light.pdf);
     note_light_sample(p, b, wo, to_local(frame, light.wi), light.source);
 }

@@ -1,5 +1,4 @@
-// The ray-generation stage: one sample of one pixel, from the camera to the end of its path. In
-// steps of one ray, so that a GPU may begin the next sample while neighbours are under way.
+// The ray-generation stage: one sample of one pixel, from the camera to the end of its path.
 //
 // Hooks: trace_path finds the closest hit and runs closest_hit or miss; trace_visible tells whether
 // nothing stops a ray before t_max; both offer hits on mask and blend materials to any_hit_accepts.
@@ -17,12 +16,13 @@ HM_HOOK(bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key))
 HM_CONST uint kFilterSize = 257u;
 HM_CONST uint kRouletteFrom = 2u;
 
-// A path under way, beside its payload, which has the next ray: what light that the ray finds is
-// worth.
-struct PathState {
-    vec3 throughput;
-    float pdf_bsdf;  // of the ray's direction; not of camera rays
-};
+HM_CONST uint kRayRadiance = 0u;
+HM_CONST uint kRayShadow = 1u;
+
+// Of one ray of a sample; any_hit_accepts hashes it together with what the ray met.
+HM_FN uint ray_key(uint sample_key, uint bounce, uint ray_kind) {
+    return sample_key + (2u * bounce + ray_kind) * 0x9e3779b9u;
+}
 
 HM_FN float sample_filter(float u) {
     float x = u * float(kFilterSize - 1u);
@@ -68,8 +68,7 @@ HM_FN bool survive_roulette(uint number, uint bounce, HM_INOUT(vec3) throughput)
     return true;
 }
 
-HM_FN void begin_path(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathState) path,
-                      HM_OUT(PathPayload) p, HM_OUT(PathSample) s) {
+HM_FN void trace_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathSample) s) {
     s.radiance = vec3(0.0f);
     s.alpha = 1.0f;
     s.removed = 0.0f;
@@ -79,60 +78,44 @@ HM_FN void begin_path(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathState) 
     begin_sample(pixel_x, pixel_y, index, numbers);
     CameraRay ray;
     camera_ray(numbers, ray);
-    path.throughput = vec3(1.0f);
-    path.pdf_bsdf = 0.0f;
-    p.key = hash_combine(numbers.key, index);
+    uint sample_key = hash_combine(numbers.key, index);
+    vec3 throughput = vec3(1.0f);
+    float pdf_bsdf = 0.0f;
+    PathPayload p;
     p.pixel_x = pixel_x;
     p.pixel_y = pixel_y;
     p.index = index;
     p.bounce = 0u;
-    p.next_origin = ray.origin;
-    p.next_direction = ray.direction;
-}
-
-// Whether nothing stands between a hit and its light sample.
-HM_FN bool is_lit(HM_IN(PathPayload) p, HM_INOUT(PathSample) s) {
-#ifdef HM_SHADOW_FROM_HIT
-    s.rays = s.rays + p.shadow_rays;
-    return max_component(p.light_contribution) > 0.0f;
-#else
-    if (!(max_component(p.light_contribution) > 0.0f)) return false;
-    s.rays = s.rays + 1u;
-    return trace_visible(p.next_origin, p.light_direction, p.light_distance, shadow_key(p.key));
-#endif
-}
-
-// Traces the path's next ray and adds what it brings. False if the path ends there.
-HM_FN bool extend_path(HM_INOUT(PathState) path, HM_INOUT(PathPayload) p, HM_INOUT(PathSample) s) {
-    trace_path(p, p.next_origin, p.next_direction);
-    s.rays = s.rays + 1u;
-    if (p.passed_through != 0u) return true;
-    float weight = emission_weight(p.bounce, path.pdf_bsdf, p.emitted_pdf);
-    vec3 emitted = add_contribution(s, path.throughput * p.emitted * weight, p.bounce > 1u);
-    note_emitted(s, p, emitted);
-    if (p.hit_distance < 0.0f) {
-        if (p.bounce == 0u && params.background == kBackgroundTransparent) s.alpha = 0.0f;
-        return false;
+    for (;;) {
+        p.key = ray_key(sample_key, p.bounce, kRayRadiance);
+        trace_path(p, ray.origin, ray.direction);
+        s.rays = s.rays + 1u;
+        if (p.passed_through != 0u) {
+            ray.origin = p.next_origin;
+            continue;
+        }
+        float weight = emission_weight(p.bounce, pdf_bsdf, p.emitted_pdf);
+        vec3 emitted = add_contribution(s, throughput * p.emitted * weight, p.bounce > 1u);
+        note_emitted(s, p, emitted);
+        if (p.hit_distance < 0.0f) {
+            if (p.bounce == 0u && params.background == kBackgroundTransparent) s.alpha = 0.0f;
+            break;
+        }
+        if (max_component(p.light_contribution) > 0.0f) {
+            s.rays = s.rays + 1u;
+            uint shadow_key = ray_key(sample_key, p.bounce, kRayShadow);
+            if (trace_visible(p.next_origin, p.light_direction, p.light_distance, shadow_key)) {
+                vec3 lit = add_contribution(s, throughput * p.light_contribution, p.bounce > 0u);
+                note_lit(s, p, lit);
+            }
+        }
+        note_first_scatter(s, p);
+        throughput = throughput * p.weight;
+        if (max_component(throughput) <= 0.0f) break;
+        p.bounce = p.bounce + 1u;
+        if (!survive_roulette(p.roulette, p.bounce, throughput)) break;
+        pdf_bsdf = p.pdf;
+        ray.origin = p.next_origin;
+        ray.direction = p.next_direction;
     }
-    if (is_lit(p, s)) {
-        vec3 lit = add_contribution(s, path.throughput * p.light_contribution, p.bounce > 0u);
-        note_lit(s, p, lit);
-    }
-    note_first_scatter(s, p);
-    path.throughput = path.throughput * p.weight;
-    if (max_component(path.throughput) <= 0.0f) return false;
-    p.bounce = p.bounce + 1u;
-    if (!survive_roulette(p.roulette, p.bounce, path.throughput)) return false;
-    p.key = next_path_key(p.key);
-    path.pdf_bsdf = p.pdf;
-    return true;
-}
-
-HM_FN void trace_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathSample) s) {
-    PathState path;
-    PathPayload p;
-    begin_path(pixel_x, pixel_y, index, path, p, s);
-    bool goes_on = true;
-    while (goes_on)
-        goes_on = extend_path(path, p, s);
 }

@@ -88,16 +88,3 @@ HM_FN uvec4 sample_4d(HM_IN(SamplerState) s, uint dimension) {
     x.w = sample_sobol_blue_noise(s, dimension + 3u);
     return x;
 }
-
-// Each ray of a sample has a key; any_hit_accepts hashes it together with what the ray met. They
-// count up in this step: the camera ray has the sample's key, a shadow ray the one after that of
-// the ray whose hit it leaves, and the path's next ray the one after that.
-HM_CONST uint kKeyStep = 0x9e3779b9u;
-
-HM_FN uint shadow_key(uint path_key) {
-    return path_key + kKeyStep;
-}
-
-HM_FN uint next_path_key(uint path_key) {
-    return path_key + 2u * kKeyStep;
-}

@@ -45,8 +45,8 @@ struct HitFacts {
 };
 #endif
 
-// Ray generation writes the first block and the camera's ray, which is the first next one; closest
-// hit or miss write the rest. Both payloads begin with `key`, which any-hit reads.
+// Ray generation writes the first block, closest hit or miss the rest. Both payloads begin with
+// `key`, which any-hit reads.
 struct PathPayload {
     uint key;  // of this ray's stochastic alpha
     uint pixel_x;
@@ -60,15 +60,11 @@ struct PathPayload {
     float emitted_pdf;    // solid-angle density with which light sampling finds this; 0: never
     vec3 next_origin;
     vec3 next_direction;
-    vec3 weight;    // f cos / pdf; 0 ends the path
-    float pdf;      // of next_direction, whole mixture of lobes
-    uint roulette;  // this bounce's number for Russian roulette
-#ifdef HM_SHADOW_FROM_HIT
-    uint shadow_rays;  // that closest hit traced: the light sample is known to be seen
-#else
+    vec3 weight;           // f cos / pdf; 0 ends the path
+    float pdf;             // of next_direction, whole mixture of lobes
+    uint roulette;         // this bounce's number for Russian roulette
     vec3 light_direction;  // one light sample, visibility not yet known
     float light_distance;
-#endif
     vec3 light_contribution;  // L f cos / pdf with its MIS weight; 0: no need to trace
 
 #ifdef HM_AOVS

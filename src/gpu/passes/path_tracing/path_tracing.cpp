@@ -6,23 +6,17 @@
 #include "graph/usage.h"
 #include "shaders/anyhit_aovs.h"
 #include "shaders/anyhit_rahit.h"
-#include "shaders/anyhit_shadow_from_hit.h"
 #include "shaders/anyhit_usual.h"
 #include "shaders/closesthit_aovs.h"
 #include "shaders/closesthit_rchit.h"
-#include "shaders/closesthit_shadow_from_hit.h"
 #include "shaders/closesthit_usual.h"
 #include "shaders/miss_aovs.h"
 #include "shaders/miss_rmiss.h"
-#include "shaders/miss_shadow_from_hit.h"
 #include "shaders/miss_usual.h"
 #include "shaders/reference_view_aovs.h"
 #include "shaders/reference_view_record.h"
-#include "shaders/reference_view_regenerate.h"
-#include "shaders/reference_view_regenerate_shadow_from_hit.h"
 #include "shaders/reference_view_reorder.h"
 #include "shaders/reference_view_rgen.h"
-#include "shaders/reference_view_shadow_from_hit.h"
 #include "shaders/reference_view_usual.h"
 #include "shaders/reference_view_usual_reorder.h"
 #include "shaders/shadow_anyhit.h"
@@ -56,15 +50,6 @@ constexpr std::array<rhi::Binding, 8> kTargets = {{
     {kSourceGroups, rhi::DescriptorKind::storage_buffer},
 }};
 
-void take_shadow_from_hit(PathTracingVariant variant, rhi::RayTracingPipelineInfo& info) {
-    info.name = "path tracing, shadow rays from hits";
-    info.ray_generation = variant.regenerate ? shaders::reference_view_regenerate_shadow_from_hit()
-                                             : shaders::reference_view_shadow_from_hit();
-    info.misses[0] = shaders::miss_shadow_from_hit();
-    info.hit_groups[0] = {shaders::closesthit_shadow_from_hit(), shaders::anyhit_shadow_from_hit()};
-    info.max_recursion_depth = 2;
-}
-
 rhi::RayTracingPipelineInfo stages_of(PathTracingVariant variant) {
     rhi::RayTracingPipelineInfo info;
     info.misses = {shaders::miss_rmiss(), shaders::shadow_miss_rmiss()};
@@ -80,12 +65,10 @@ rhi::RayTracingPipelineInfo stages_of(PathTracingVariant variant) {
         info.ray_generation = shaders::reference_view_record();
     } else if (variant.usual) {
         info.name = "path tracing, usual settings";
-        info.ray_generation = variant.reorder      ? shaders::reference_view_usual_reorder()
-                              : variant.regenerate ? shaders::reference_view_regenerate()
-                                                   : shaders::reference_view_usual();
+        info.ray_generation = variant.reorder ? shaders::reference_view_usual_reorder()
+                                              : shaders::reference_view_usual();
         info.misses[0] = shaders::miss_usual();
         info.hit_groups[0] = {shaders::closesthit_usual(), shaders::anyhit_usual()};
-        if (variant.shadow_from_hit) take_shadow_from_hit(variant, info);
     } else {
         info.name = "path tracing";
         info.ray_generation =

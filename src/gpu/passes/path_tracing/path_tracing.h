@@ -19,14 +19,8 @@ struct PathTracingVariant {
     bool reorder = false;
     // The rays of the first sample are kept, for gpu/bench. Not with `reorder`.
     bool record = false;
-    // Samples also add to a film's AOV planes. Not with any of the others.
+    // Samples also add to a film's AOV planes. Not with either of the others.
     bool aovs = false;
-    // With `usual` and not `reorder`: samples of a launch follow each other without waiting for the
-    // longest path of a warp.
-    bool regenerate = false;
-    // With `usual` and not `reorder`: shadow rays leave from closest hit, which is a recursion of
-    // depth 2.
-    bool shadow_from_hit = false;
     auto operator<=>(const PathTracingVariant&) const = default;
 };
 
