@@ -1,4 +1,4 @@
-# GLSL compiled, validated and embedded at build time.
+# GLSL compiled, kept from contracting a * b + c, validated and embedded at build time.
 #
 # himalaya_shader(TARGET FILE [NAME name] [DEFINES A B=1...] [INCLUDES folders...])
 # The target's sources may then include "shaders/NAME.h", which declares
@@ -6,6 +6,9 @@
 # NAME is the file's own with _ for the dot ("miss.rmiss" -> miss_rmiss) unless given. Variants are
 # separate calls for one file with other names and DEFINES. FILE includes from src/, from its own
 # folder and from INCLUDES.
+add_executable(embed_spirv ${PROJECT_SOURCE_DIR}/tools/embed_spirv.cpp)
+himalaya_compile(embed_spirv)
+
 function(himalaya_shader target file)
   cmake_parse_arguments(S "" "NAME" "DEFINES;INCLUDES" ${ARGN})
   get_filename_component(file ${file} ABSOLUTE)
@@ -29,9 +32,9 @@ function(himalaya_shader target file)
   endforeach()
   add_custom_command(OUTPUT ${spirv} ${words}
     COMMAND ${compile} --depfile ${spirv}.d -o ${spirv} ${file}
+    COMMAND embed_spirv ${spirv} ${spirv} ${words}
     COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${spirv}
-    COMMAND ${compile} --vn words -o ${words} ${file}
-    DEPENDS ${file} DEPFILE ${spirv}.d VERBATIM COMMENT "Shader ${NAME}")
+    DEPENDS ${file} embed_spirv DEPFILE ${spirv}.d VERBATIM COMMENT "Shader ${NAME}")
   set_source_files_properties(${folder}/${NAME}.cpp PROPERTIES OBJECT_DEPENDS ${words})
   target_sources(${target} PRIVATE ${folder}/${NAME}.cpp)
   target_include_directories(${target} PRIVATE ${folder})

@@ -36,6 +36,11 @@ dpkg-query -L $packages | sort -u | while read -r path; do
         cp -P "$path" "$work/deps$path"
     fi
 done
+# NVIDIA's driver opens these by name and offers no device without (see bundle.sh).
+for library in libEGL.so.1 libGLdispatch.so.0; do
+    path=$(ldconfig -p | awk -v l="$library" '$1 == l && /x86-64/ {print $NF; exit}')
+    [ -z "$path" ] || cp -L "$path" "$work/deps/usr/lib/x86_64-linux-gnu/$library"
+done
 # Debian 12 has /lib as a link to /usr/lib.
 if [ -d "$work/deps/lib" ]; then
     cp -rP "$work/deps/lib/." "$work/deps/usr/lib/"

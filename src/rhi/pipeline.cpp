@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <vector>
 
 #include "base/check.h"
@@ -19,6 +20,15 @@ Result<ShaderModule> make_shader_module(Device& device, std::string_view name, S
                         "vkCreateShaderModule", name));
     device.name(VK_OBJECT_TYPE_SHADER_MODULE, handle, name);
     return ShaderModule(device.handle(), handle);
+}
+
+const VkSpecializationInfo* shader_constants(const PhysicalDevice& device) {
+    static constexpr std::array<VkBool32, 2> kRoundsRight{VK_FALSE, VK_TRUE};
+    static constexpr VkSpecializationMapEntry kEntry{0, 0, sizeof(VkBool32)};
+    static constexpr std::array<VkSpecializationInfo, 2> kConstants{
+        VkSpecializationInfo{1, &kEntry, sizeof(VkBool32), &kRoundsRight[0]},
+        VkSpecializationInfo{1, &kEntry, sizeof(VkBool32), &kRoundsRight[1]}};
+    return &kConstants[device.kind == DeviceKind::cpu ? 1 : 0];
 }
 
 Result<PipelineLayout> PipelineLayout::create(Device& device, std::string_view name,
@@ -59,7 +69,8 @@ Result<ComputePipeline> ComputePipeline::create(Device& device, std::string_view
         .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                   .stage = VK_SHADER_STAGE_COMPUTE_BIT,
                   .module = module.get(),
-                  .pName = "main"},
+                  .pName = "main",
+                  .pSpecializationInfo = shader_constants(device.physical())},
         .layout = layout.handle()};
     VkPipeline handle = VK_NULL_HANDLE;
     HM_TRY(device.check(vkCreateComputePipelines(

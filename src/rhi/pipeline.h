@@ -19,6 +19,10 @@ using Spirv = std::span<const std::uint32_t>;
 using ShaderModule = Handle<VkShaderModule, &vkDestroyShaderModule>;
 Result<ShaderModule> make_shader_module(Device& device, std::string_view name, Spirv spirv);
 
+// What every shader is told of the device: constant_id 0, a bool, whether its quotients and roots
+// are rounded as C++'s (shading/exact.glsl). Those of a CPU are.
+const VkSpecializationInfo* shader_constants(const PhysicalDevice& device);
+
 class PipelineLayout {
   public:
     PipelineLayout() = default;

@@ -33,7 +33,8 @@ struct Stages {
         stages.push_back({.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                           .stage = stage,
                           .module = module.get(),
-                          .pName = "main"});
+                          .pName = "main",
+                          .pSpecializationInfo = shader_constants(device.physical())});
         modules.push_back(std::move(module));
         return static_cast<std::uint32_t>(stages.size() - 1);
     }

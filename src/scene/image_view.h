@@ -23,10 +23,10 @@ inline vec4 fetch_image_texel(const ImageView& image, std::uint32_t x, std::uint
     std::size_t index = (std::size_t(y) * image.width + x) * 4;
     if (image.format == 0) {
         const std::uint8_t* t = static_cast<const std::uint8_t*>(image.pixels) + index;
-        float alpha = float(t[3]) * (1.0f / 255.0f);
-        if (srgb) return vec4(table[t[0]], table[t[1]], table[t[2]], alpha);
-        return vec4(float(t[0]) * (1.0f / 255.0f), float(t[1]) * (1.0f / 255.0f),
-                    float(t[2]) * (1.0f / 255.0f), alpha);
+        // As 16 bits, of which 8 bits repeated are as much.
+        const auto unit = [](std::uint8_t c) { return float(c * 257) * (1.0f / 65535.0f); };
+        if (srgb) return vec4(table[t[0]], table[t[1]], table[t[2]], unit(t[3]));
+        return vec4(unit(t[0]), unit(t[1]), unit(t[2]), unit(t[3]));
     }
     // 16-bit colour: the nearest two 8-bit entries bracket it closely enough that interpolating the
     // decoding curve between them is exact to 2e-5.

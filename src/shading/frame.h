@@ -15,7 +15,7 @@ struct Frame {
 
 HM_FN void make_frame(vec3 n, HM_OUT(Frame) frame) {
     float side = n.z < 0.0f ? -1.0f : 1.0f;
-    float a = -1.0f / (side + n.z);
+    float a = divide(-1.0f, side + n.z);
     float b = n.x * n.y * a;
     frame.s = vec3(1.0f + side * n.x * n.x * a, side * b, -side * n.x);
     frame.t = vec3(b, side + n.y * n.y * a, -n.y);

@@ -11,6 +11,7 @@ HM_NAMESPACE_BEGIN
 // Density of microfacet normals. The form (hx^2 + hy^2) / a^2 + hz^2 has no cancellation; the usual
 // nh^2 (a^2 - 1) + 1 loses all digits near the peak of a smooth surface.
 HM_FN float eval_ggx_d(vec3 h, float alpha) {
+    HM_MAY_CONTRACT
     float inv_alpha = 1.0f / alpha;
     float x = h.x * inv_alpha;
     float y = h.y * inv_alpha;
@@ -20,25 +21,28 @@ HM_FN float eval_ggx_d(vec3 h, float alpha) {
 
 // Masking-shadowing over 4 cos_o cos_i. Both cosines are positive.
 HM_FN float eval_ggx_v(float cos_o, float cos_i, float alpha) {
+    HM_MAY_CONTRACT
     float a2 = alpha * alpha;
-    float lambda_o = cos_i * sqrt(a2 + (1.0f - a2) * cos_o * cos_o);
-    float lambda_i = cos_o * sqrt(a2 + (1.0f - a2) * cos_i * cos_i);
+    float lambda_o = cos_i * fast_sqrt(a2 + (1.0f - a2) * cos_o * cos_o);
+    float lambda_i = cos_o * fast_sqrt(a2 + (1.0f - a2) * cos_i * cos_i);
     return 0.5f / (lambda_o + lambda_i);
 }
 
-// The lower end of the spherical cap that bounded sampling draws from, for an upper-hemisphere wo.
-HM_FN float ggx_cap_scale(vec3 wo, float alpha) {
-    float s = 1.0f + sqrt(wo.x * wo.x + wo.y * wo.y);
+// The lower end of the spherical cap that bounded sampling draws from, for an upper-hemisphere wo
+// and its sine.
+HM_FN float ggx_cap_scale(vec3 wo, float sine, float alpha) {
+    float s = 1.0f + sine;
     float a2 = alpha * alpha;
     float s2 = s * s;
-    return (1.0f - a2) * s2 / (s2 + a2 * wo.z * wo.z);
+    return divide((1.0f - a2) * s2, s2 + a2 * wo.z * wo.z);
 }
 
 // The mirrored direction wi for a visible normal. wi.z may be negative: such a sample carries
 // nothing.
 HM_FN vec3 sample_ggx_reflection(vec3 wo, float alpha, float u, float v) {
     vec3 wo_std = normalize(vec3(wo.x * alpha, wo.y * alpha, wo.z));
-    float lower = ggx_cap_scale(wo, alpha) * wo_std.z;
+    float sine = sqrt(wo.x * wo.x + wo.y * wo.y);
+    float lower = ggx_cap_scale(wo, sine, alpha) * wo_std.z;
     float z = (1.0f - u) * (1.0f + lower) - lower;
     float sin_theta = sqrt(saturate(1.0f - z * z));
     vec2 phi = cos_sin_2pi(v);
@@ -49,10 +53,12 @@ HM_FN vec3 sample_ggx_reflection(vec3 wo, float alpha, float u, float v) {
 
 // Solid-angle density of sample_ggx_reflection, with h the unit half vector of wo and wi.
 HM_FN float pdf_ggx_reflection(vec3 wo, vec3 h, float alpha) {
+    HM_MAY_CONTRACT
     float x = wo.x * alpha;
     float y = wo.y * alpha;
-    float t = sqrt(x * x + y * y + wo.z * wo.z);
-    return eval_ggx_d(h, alpha) / (2.0f * (ggx_cap_scale(wo, alpha) * wo.z + t));
+    float t = fast_sqrt(x * x + y * y + wo.z * wo.z);
+    float sine = fast_sqrt(wo.x * wo.x + wo.y * wo.y);
+    return eval_ggx_d(h, alpha) / (2.0f * (ggx_cap_scale(wo, sine, alpha) * wo.z + t));
 }
 
 HM_NAMESPACE_END

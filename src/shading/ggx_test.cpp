@@ -80,7 +80,7 @@ TEST(Ggx, BoundedCapLosesNothingAboveTheHorizon) {
             vec3 wo = test::direction(cos_o, 0.4f);
             glm::dvec3 o(wo),
                 std_o = glm::normalize(glm::dvec3(o.x * double(alpha), o.y * double(alpha), o.z));
-            double lower = double(ggx_cap_scale(wo, alpha)) * std_o.z;
+            double lower = double(ggx_cap_scale(wo, std::hypot(wo.x, wo.y), alpha)) * std_o.z;
             double mass = 0;
             constexpr int kRings = 500, kSectors = 1000;
             for (int i = 0; i < kRings; ++i)

@@ -4,7 +4,8 @@
 // Rules for the files that include this: no swizzles, enums, struct constructors or overloads;
 // literals carry f or u; one random number per statement; never pass a variable twice to a function
 // that writes it. Words reserved in GLSL (input, output, sample, filter, half, common, ...) stay
-// out.
+// out. What decides where a ray goes divides by divide(); what only weighs a path may use fast_sqrt
+// and fast_normalize, and a function of such says HM_MAY_CONTRACT (exact.glsl has the reason).
 #ifndef HM_SHADING_LANG_H
 #define HM_SHADING_LANG_H
 
@@ -24,6 +25,7 @@
 #define HM_IN(T) const T&   // a struct that is only read
 #define HM_ROW(T) const T&  // an element of a table
 #define HM_HOOK(declaration)
+#define HM_MAY_CONTRACT
 
 namespace hm {
 using uint = std::uint32_t;
@@ -46,7 +48,7 @@ using glm::exp2;
 using glm::floor;
 using glm::fract;
 using glm::inversesqrt;
-using glm::length;
+using glm::length;  // in GLSL as the device rounds it
 using glm::log2;
 using glm::max;
 using glm::min;
@@ -60,6 +62,15 @@ inline uint float_bits(float x) {
 }
 inline float bits_float(uint x) {
     return std::bit_cast<float>(x);
+}
+inline float divide(float a, float b) {
+    return a / b;
+}
+inline float fast_sqrt(float x) {
+    return sqrt(x);
+}
+inline vec3 fast_normalize(vec3 v) {
+    return normalize(v);
 }
 // The upper half of the 64-bit product: maps a uniform 32-bit integer onto 0..n-1.
 inline uint mul_high(uint a, uint b) {
@@ -84,6 +95,9 @@ inline uint reverse_bits(uint x) {
 #define HM_IN(T) T
 #define HM_ROW(T) T
 #define HM_HOOK(declaration) declaration;
+#define HM_MAY_CONTRACT bool hm_may_contract = true;  // for tools/embed_spirv
+
+#include "shading/exact.glsl"
 
 uint float_bits(float x) {
     return floatBitsToUint(x);

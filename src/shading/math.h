@@ -14,6 +14,7 @@ HM_CONST float kInfinity = 1e30f;  // farther than anything in a scene
 
 // Rec.709 luminance of linear radiance.
 HM_FN float luminance(vec3 c) {
+    HM_MAY_CONTRACT
     return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;
 }
 
@@ -79,6 +80,7 @@ HM_FN float atan2_over_2pi(float y, float x) {
 // The power heuristic with exponent 2 for a sample drawn with pdf `own`, against `other`
 // (Veach 1997). A zero `own` gives 0; `own` must be finite, `other` may be infinite.
 HM_FN float mis_weight(float own, float other) {
+    HM_MAY_CONTRACT
     if (!(own > 0.0f)) return 0.0f;
     float ratio = other / own;
     return 1.0f / (1.0f + ratio * ratio);

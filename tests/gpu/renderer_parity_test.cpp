@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include "base/files.h"
@@ -30,17 +31,17 @@ CameraData camera_of(const Scene& scene, const Bounds& bounds) {
     return camera_framing(bounds, 0.8f, 1);
 }
 
-// Both pictures of a scene file are the same. False if it can't be read: it is broken, or asks for
-// what we do not have.
-bool expect_file_parity(const fs::path& file, const Image& sky, float intensity) {
+// Both pictures of a scene file are the same; how many pixels are off all the same. Nothing if it
+// can't be read: it is broken, or asks for what we do not have.
+std::optional<std::size_t> expect_file_parity(const fs::path& file, const Image& sky,
+                                              float intensity) {
     Diagnostics diagnostics;
     const Result<Scene> scene = load_gltf(file, diagnostics);
-    if (!scene) return false;
+    if (!scene) return std::nullopt;
     const FlatScene flat =
         flatten(*scene, make_environment(sky, 0, intensity), LightChoice{}, diagnostics);
-    Duel(flat).expect_parity(make_job(flat, camera_of(*scene, flat.bounds)),
-                             file.filename().string());
-    return true;
+    return Duel(flat).expect_parity(make_job(flat, camera_of(*scene, flat.bounds)),
+                                    file.filename().string());
 }
 
 Image read_sky(const fs::path& file) {
@@ -88,11 +89,17 @@ TEST(RendererParity, OddShapesAndPlacements) {
     duel.expect_parity(make_job(scene.flat, scene.camera), "odd shapes and placements");
 }
 
+// Paths take the same turns, so hardly a pixel is off (docs/decisions/0010-the-same-turns.md): 1 in
+// 1000 is for hits at equal distances. Where each device rounds as it likes it is 19 on lavapipe
+// and 47 on an H100 in the hero scene.
 TEST(RendererParity, ShippedScenes) {
     const fs::path scenes = source_folder() / "scenes";
-    EXPECT_TRUE(expect_file_parity(scenes / "cornell.glb", default_environment(), 0));
-    EXPECT_TRUE(expect_file_parity(scenes / "spheres.glb", default_environment(), 0.25f));
-    EXPECT_TRUE(expect_file_parity(scenes / "hero.glb", read_sky(scenes / "hero_sky.hdr"), 1));
+    const std::size_t most = kPictureSize * kPictureSize / 1000;
+    const Image sky = default_environment();
+    EXPECT_LE(expect_file_parity(scenes / "cornell.glb", sky, 0).value(), most);
+    EXPECT_LE(expect_file_parity(scenes / "spheres.glb", sky, 0.25f).value(), most);
+    EXPECT_LE(expect_file_parity(scenes / "hero.glb", read_sky(scenes / "hero_sky.hdr"), 1).value(),
+              most);
 }
 
 // Every scene file below a folder.

@@ -73,9 +73,11 @@ Film draw(Renderer& renderer, const RenderJob& job) {
 Duel::Duel(const FlatScene& scene)
     : cpu_(scene, 0), gpu_(value_of(VulkanRenderer::create(gpu_context(), scene))) {}
 
-void Duel::expect_parity(const RenderJob& job, const std::string& what) {
-    expect_same_picture(means_of(draw(*gpu_, job)), means_of(draw(cpu_, job)), what);
+std::size_t Duel::expect_parity(const RenderJob& job, const std::string& what) {
+    const std::size_t off =
+        expect_same_picture(means_of(draw(*gpu_, job)), means_of(draw(cpu_, job)), what);
     expect_no_messages();
+    return off;
 }
 
 }  // namespace hm::test

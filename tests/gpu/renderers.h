@@ -34,8 +34,8 @@ class Duel {
     explicit Duel(const FlatScene& scene);
     Renderer& cpu() { return cpu_; }
     VulkanRenderer& gpu() { return *gpu_; }
-    // Both pictures of a job are the same.
-    void expect_parity(const RenderJob& job, const std::string& what);
+    // Both pictures of a job are the same. How many pixels are off all the same.
+    std::size_t expect_parity(const RenderJob& job, const std::string& what);
 
   private:
     CpuRenderer cpu_;

@@ -26,8 +26,9 @@ struct Bsdf {
 
 // x and y of the split albedo at a cosine.
 HM_FN vec2 lookup_albedo(float cos_theta, float roughness) {
+    HM_MAY_CONTRACT
     float last = float(kAlbedoSize - 1u);
-    float column = sqrt(saturate(cos_theta)) * last;
+    float column = fast_sqrt(saturate(cos_theta)) * last;
     float row = saturate(roughness) * last;
     uint c = min(uint(column), kAlbedoSize - 2u);
     uint r = min(uint(row), kAlbedoSize - 2u);
@@ -58,6 +59,7 @@ HM_FN float multiple_scattering(float f0, float f90, float e_average) {
 // base: linear colour; wo_z: cosine of the view direction, positive.
 HM_FN void make_bsdf(vec3 base, float metallic, float roughness, float specular_weight, float wo_z,
                      HM_OUT(Bsdf) b) {
+    HM_MAY_CONTRACT
     b.roughness = clamp(roughness, kMinRoughness, 1.0f);
     b.alpha = b.roughness * b.roughness;
     b.layer_f0 = 0.04f * specular_weight;
@@ -109,8 +111,9 @@ HM_FN float burley_factor(float cos_o, float cos_i, float cos_d, float roughness
 // are above the surface.
 HM_FN void eval_lobes(HM_IN(Bsdf) b, vec3 wo, vec3 wi, HM_OUT(vec3) diffuse, HM_OUT(vec3) specular,
                       HM_OUT(float) pdf) {
+    HM_MAY_CONTRACT
     pdf = 0.0f;
-    vec3 h = normalize(wo + wi);
+    vec3 h = fast_normalize(wo + wi);
     float cos_d = saturate(dot(wo, h));
     float grazing = pow5(1.0f - cos_d);
     specular = vec3(0.0f);

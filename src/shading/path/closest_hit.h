@@ -9,6 +9,7 @@
 // Light sampling: direction, distance and the contribution if nothing stands between.
 HM_FN void shade_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) frame, vec3 ng,
                               vec3 wo, HM_IN(uvec4) numbers) {
+    HM_MAY_CONTRACT
     LightSample light;
     sample_light(numbers.x, numbers.y, unit_float(numbers.z), unit_float(numbers.w), p.next_origin,
                  light);

@@ -71,8 +71,8 @@ HM_FN void sample_emitter(uint choice, uint coin, float u, float v, vec3 p,
     vec3 weights = vec3(1.0f - barycentrics.x - barycentrics.y, barycentrics.x, barycentrics.y);
     vec3 q = e.p0 * weights.x + e.p1 * weights.y + e.p2 * weights.z;
     vec3 scaled_normal = cross(e.p1 - e.p0, e.p2 - e.p0);
-    float double_area = length(scaled_normal);
-    vec3 n = scaled_normal * (1.0f / max(double_area, 1e-30f));
+    float double_area = sqrt(dot(scaled_normal, scaled_normal));
+    vec3 n = scaled_normal * divide(1.0f, max(double_area, 1e-30f));
     if ((instance.flags & kInstanceFlipped) != 0u) n = -n;
     bool front = dot(n, p - q) > 0.0f;
     if (!front && (m.flags & kMaterialDoubleSided) == 0u) return;
@@ -82,7 +82,7 @@ HM_FN void sample_emitter(uint choice, uint coin, float u, float v, vec3 p,
     float distance_squared = dot(to_light, to_light);
     if (!(distance_squared > 0.0f)) return;
     light.distance = sqrt(distance_squared);
-    light.wi = to_light * (1.0f / light.distance);
+    light.wi = to_light * divide(1.0f, light.distance);
     float cos_light = abs(dot(n, light.wi));
     if (!(cos_light > 0.0f)) return;
     light.pdf = p_select * 2.0f * distance_squared / (double_area * cos_light);

@@ -16,6 +16,7 @@ HM_FN vec3 environment_texel(uint x, uint y) {
 }
 
 HM_FN vec3 environment_radiance(vec2 uv) {
+    HM_MAY_CONTRACT
     int w = int(environment.width);
     int h = int(environment.height);
     float x = uv.x * float(w) - 0.5f;
@@ -56,8 +57,8 @@ HM_FN vec3 sample_environment(uint choice, uint coin, float u, float v, HM_OUT(v
     float p = own ? entry.pdf_self : entry.pdf_alias;
     uint y = texel / environment.width;
     uint x = texel - y * environment.width;
-    vec2 uv =
-        vec2((float(x) + u) / float(environment.width), (float(y) + v) / float(environment.height));
+    vec2 uv = vec2(divide(float(x) + u, float(environment.width)),
+                   divide(float(y) + v, float(environment.height)));
     vec2 theta = cos_sin_2pi(0.5f * uv.y);
     float turn = uv.x - 0.5f - environment.u_offset;
     vec2 phi = cos_sin_2pi(turn - floor(turn));

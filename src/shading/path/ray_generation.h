@@ -35,13 +35,14 @@ HM_FN void camera_ray(HM_IN(SamplerState) numbers, HM_OUT(CameraRay) ray) {
     uvec4 x = sample_4d(numbers, kDimensionPixel);
     float px = float(numbers.pixel_x) + 0.5f + sample_filter(unit_float(x.x));
     float py = float(numbers.pixel_y) + 0.5f + sample_filter(unit_float(x.y));
-    vec2 film = vec2(px / float(params.width), py / float(params.height));
+    vec2 film = vec2(divide(px, float(params.width)), divide(py, float(params.height)));
     make_camera_ray(camera, film, unit_float(x.z), unit_float(x.w), ray);
 }
 
 // Adds one contribution and returns what it added; indirect ones are scaled down to the clamp as a
 // whole.
 HM_FN vec3 add_contribution(HM_INOUT(PathSample) s, vec3 contribution, bool indirect) {
+    HM_MAY_CONTRACT
     vec3 kept = contribution;
     float largest = max_component(contribution);
     if (indirect && params.max_radiance > 0.0f && largest > params.max_radiance) {
@@ -69,6 +70,7 @@ HM_FN bool survive_roulette(uint number, uint bounce, HM_INOUT(vec3) throughput)
 }
 
 HM_FN void trace_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathSample) s) {
+    HM_MAY_CONTRACT
     s.radiance = vec3(0.0f);
     s.alpha = 1.0f;
     s.removed = 0.0f;

@@ -69,7 +69,7 @@ HM_FN vec3 map_normal(HM_IN(MaterialData) m, HM_IN(InstanceData) instance, HM_IN
 // because those differ from device to device by more than rounding, and mirrors enlarge it.
 HM_FN vec3 meet_triangle(vec3 to_origin, vec3 edge1, vec3 edge2, vec3 normal, vec3 direction,
                          HM_OUT(float) hit_distance) {
-    float inverse = -1.0f / dot(direction, normal);
+    float inverse = divide(-1.0f, dot(direction, normal));
     vec3 m = cross(to_origin, direction);
     float u = clamp(dot(edge2, m) * inverse, 0.0f, 1.0f);
     float v = clamp(-dot(edge1, m) * inverse, 0.0f, 1.0f - u);

@@ -1,0 +1,59 @@
+// The shaders as they are embedded: nothing that decides where a ray goes may be contracted. That
+// can't be seen on lavapipe, which contracts nothing.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+
+#include "shaders/anyhit_rahit.h"
+#include "shaders/closesthit_rchit.h"
+#include "shaders/miss_rmiss.h"
+#include "shaders/reference_view_rgen.h"
+
+namespace hm {
+
+namespace {
+
+// SPIR-V's opcodes: floating-point sums, products and what consists of them.
+const std::set<std::uint32_t> kContractible = {127, 129, 131, 133, 142, 143,
+                                               144, 145, 146, 147, 148};
+constexpr std::uint32_t kName = 5, kFunction = 54, kDecorate = 71, kNoContraction = 42;
+
+// The names of functions with arithmetic that a device may contract.
+std::set<std::string> contracting(std::span<const std::uint32_t> spirv) {
+    std::map<std::uint32_t, std::string> names;
+    std::set<std::uint32_t> exact;
+    std::set<std::string> found;
+    std::string function;
+    for (std::size_t at = 5; at < spirv.size(); at += spirv[at] >> 16) {
+        const std::uint32_t code = spirv[at] & 0xffffu;
+        if (code == kName) {
+            const std::string name(reinterpret_cast<const char*>(&spirv[at + 2]));
+            names[spirv[at + 1]] = name.substr(0, name.find('('));  // without its argument types
+        }
+        if (code == kDecorate && spirv[at + 2] == kNoContraction) exact.insert(spirv[at + 1]);
+        if (code == kFunction) function = names[spirv[at + 2]];
+        if (kContractible.contains(code) && !exact.contains(spirv[at + 2])) found.insert(function);
+    }
+    return found;
+}
+
+using Names = std::set<std::string>;
+
+TEST(Contraction, OnlyWhereItWeighsPaths) {
+    EXPECT_EQ(contracting(shaders::closesthit_rchit()),
+              (Names{"environment_radiance", "eval_ggx_d", "eval_ggx_v", "eval_lobes",
+                     "fetch_texel", "lookup_albedo", "luminance", "make_bsdf", "mis_weight",
+                     "pdf_ggx_reflection", "shade_light_sample"}));
+    EXPECT_EQ(contracting(shaders::miss_rmiss()), Names{"environment_radiance"});
+    EXPECT_EQ(contracting(shaders::reference_view_rgen()),
+              (Names{"add_contribution", "luminance", "mis_weight", "trace_sample"}));
+    EXPECT_EQ(contracting(shaders::anyhit_rahit()), Names{"fetch_texel"});
+}
+
+}  // namespace
+
+}  // namespace hm
