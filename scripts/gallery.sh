@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # Renders every glTF file of the assets into one contact sheet with names: docs/gallery/.
 #   gallery.sh [ENVIRONMENT]   .hdr or .exr; by default a meadow of the assets
-# Needs a release build, Debian's packages imagemagick and fonts-dejavu-core, and $HIMALAYA_ASSETS, by
-# default ../shared/assets beside the repository. HIMALAYA names another program than the release
-# build's.
+# Needs a release build and $HIMALAYA_ASSETS, by default ../shared/assets beside the repository.
+# HIMALAYA names another program than the release build's.
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -11,10 +10,7 @@ assets=${HIMALAYA_ASSETS:-$root/../shared/assets}
 program=${HIMALAYA:-$root/build/release/src/app/cli/himalaya}
 environment=${1:-$assets/hdri/kloppenheim_05_1k.hdr}
 sheet=$root/docs/gallery
-command -v montage >/dev/null || {
-    echo "gallery: montage is missing; install the package imagemagick" >&2
-    exit 1
-}
+"$root/scripts/install-deps.sh" --gallery
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

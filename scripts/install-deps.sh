@@ -1,9 +1,10 @@
 #!/bin/sh
 # Installs what Himalaya needs from Debian 12's own packages, and gets the denoiser's library from
 # PyPI into the build folder (scripts/fetch-oidn.sh). A second run only looks and returns.
-#   --build  what building and rendering need
-#   --test   that, and what the tests need (default)
-#   --fuzz   what building needs, and clang with libFuzzer
+#   --build    what building and rendering need
+#   --test     that, and what the tests need (default)
+#   --fuzz     what building needs, and clang with libFuzzer
+#   --gallery  what building needs, and what puts the contact sheet together
 set -eu
 
 group=${1:---test}
@@ -21,8 +22,9 @@ case $group in
     command -v npm >/dev/null || packages="$packages npm"
     ;;
 --fuzz) packages="$packages clang libclang-rt-14-dev" ;;
+--gallery) packages="$packages imagemagick fonts-dejavu-core" ;;
 *)
-    echo "usage: $0 [--build|--test|--fuzz]" >&2
+    echo "usage: $0 [--build|--test|--fuzz|--gallery]" >&2
     exit 2
     ;;
 esac
