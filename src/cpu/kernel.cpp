@@ -11,8 +11,8 @@ namespace {
 struct Stages : KernelTables {
     uvec2 image_size(uint image) const { return uvec2(images[image].width, images[image].height); }
 
-    vec4 fetch_texel(uint image, uint x, uint y, uint is_srgb) const {
-        return fetch_image_texel(images[image], x, y, is_srgb != 0u, srgb);
+    vec4 fetch_texel(uint image, uint x, uint y, uint encoding) const {
+        return fetch_image_texel(images[image], x, y, encoding == kEncodingSrgb, srgb);
     }
 
     void load_triangle(uint geometry, uint primitive, Triangle& t) const {

@@ -93,9 +93,9 @@ uvec2 image_size(uint image) {
 
 // Devices turn integers into floats in ways of their own. Taken back to 16 bits, a texel of either
 // depth has the value of scene/image_view.h; colours, which turn no path, are left as they come.
-vec4 fetch_texel(uint image, uint x, uint y, uint srgb) {
+vec4 fetch_texel(uint image, uint x, uint y, uint encoding) {
     HM_MAY_CONTRACT
     vec4 texel = texelFetch(scene_images[nonuniformEXT(image)], ivec2(x, y), 0);
-    if (srgb == 0u) return floor(texel * 65535.0f + 0.5f) * (1.0f / 65535.0f);
+    if (encoding == kEncodingLinear) return floor(texel * 65535.0f + 0.5f) * (1.0f / 65535.0f);
     return vec4(srgb_to_linear(texel.x), srgb_to_linear(texel.y), srgb_to_linear(texel.z), texel.w);
 }

@@ -22,8 +22,8 @@ struct EmissionReader {
     uvec2 image_size(uint image) const {
         return {flat.images[image].width, flat.images[image].height};
     }
-    vec4 fetch_texel(uint image, uint x, uint y, uint is_srgb) const {
-        return fetch_image_texel(flat.images[image], x, y, is_srgb != 0, srgb);
+    vec4 fetch_texel(uint image, uint x, uint y, uint encoding) const {
+        return fetch_image_texel(flat.images[image], x, y, encoding == kEncodingSrgb, srgb);
     }
 #include "shading/path/texture.h"
 
@@ -50,7 +50,7 @@ struct EmissionReader {
                 vec2 b = sample_triangle((float(i) + 0.5f) / float(steps),
                                          (float(j) + 0.5f) / float(steps));
                 vec2 at = uv[0] * (1 - b.x - b.y) + uv[1] * b.x + uv[2] * b.y;
-                sum += vec3(sample_texture(slot, at, at));
+                sum += vec3(sample_texture(slot, kEncodingSrgb, at, at));
                 ++count;
             }
         vec3 color = unlit ? vec3(m.base_color_factor) : m.emissive_factor;

@@ -15,11 +15,10 @@ namespace {
 
 constexpr std::uint8_t kWhiteTexel[4] = {255, 255, 255, 255};
 
-std::uint32_t add_texture_use(FlatScene& flat, const TextureSlot& slot, bool srgb) {
+std::uint32_t add_texture_use(FlatScene& flat, const TextureSlot& slot) {
     if (slot.image == kUnset) return 0;
     flat.texture_uses.push_back({std::uint32_t(slot.image) + 1, slot.wrap_u, slot.wrap_v,
-                                 slot.filter_mode, slot.uv_set, srgb ? 1u : 0u, slot.uv_row_u,
-                                 slot.uv_row_v});
+                                 slot.filter_mode, slot.uv_set, slot.uv_row_u, slot.uv_row_v});
     return std::uint32_t(flat.texture_uses.size()) - 1;
 }
 
@@ -32,11 +31,11 @@ void add_material(FlatScene& flat, const Material& m) {
     d.roughness_factor = m.roughness;
     d.normal_scale = m.normal_scale;
     d.occlusion_strength = m.occlusion_strength;
-    d.base_color_texture = add_texture_use(flat, m.base_color_texture, true);
-    d.emissive_texture = add_texture_use(flat, m.emissive_texture, true);
-    d.metallic_roughness_texture = add_texture_use(flat, m.metallic_roughness_texture, false);
-    d.normal_texture = add_texture_use(flat, m.normal_texture, false);
-    d.occlusion_texture = add_texture_use(flat, m.occlusion_texture, false);
+    d.base_color_texture = add_texture_use(flat, m.base_color_texture);
+    d.emissive_texture = add_texture_use(flat, m.emissive_texture);
+    d.metallic_roughness_texture = add_texture_use(flat, m.metallic_roughness_texture);
+    d.normal_texture = add_texture_use(flat, m.normal_texture);
+    d.occlusion_texture = add_texture_use(flat, m.occlusion_texture);
     d.alpha_cutoff = m.alpha_cutoff;
     d.alpha_mode = m.alpha_mode;
     d.flags = (m.double_sided ? kMaterialDoubleSided : 0u) | (m.unlit ? kMaterialUnlit : 0u);
@@ -48,7 +47,7 @@ void add_materials(FlatScene& flat, const Scene& scene) {
     for (const Image& image : scene.images)
         flat.images.push_back(
             {image.pixels.data(), image.width, image.height, std::uint32_t(image.format)});
-    flat.texture_uses.push_back({0, 0, 0, 0, 0, 0, vec3(1, 0, 0), vec3(0, 1, 0)});
+    flat.texture_uses.push_back({0, 0, 0, 0, 0, vec3(1, 0, 0), vec3(0, 1, 0)});
     for (const Material& m : scene.materials)
         add_material(flat, m);
     add_material(flat, Material{});

@@ -91,7 +91,6 @@ TEST(Flatten, UnsetTexturesAndMaterialsHaveDefaults) {
     EXPECT_EQ(flat.texture_uses[0].image, 0u);
     const TextureUse& use = flat.texture_uses[flat.materials[0].base_color_texture];
     EXPECT_EQ(use.image, 1u);
-    EXPECT_EQ(use.srgb, 1u);
 }
 
 // Three instances of two meshes, of which some primitives emit.

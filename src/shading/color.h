@@ -12,7 +12,8 @@ HM_CONST uint kToneAgx = 2u;
 HM_CONST uint kToneNeutral = 3u;
 
 HM_FN float srgb_to_linear(float x) {
-    return x <= 0.04045f ? x / 12.92f : pow((x + 0.055f) / 1.055f, 2.4f);
+    HM_MAY_CONTRACT
+    return x <= 0.04045f ? x * (1.0f / 12.92f) : pow((x + 0.055f) * (1.0f / 1.055f), 2.4f);
 }
 
 HM_FN float linear_to_srgb(float x) {

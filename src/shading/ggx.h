@@ -51,14 +51,15 @@ HM_FN vec3 sample_ggx_reflection(vec3 wo, float alpha, float u, float v) {
     return 2.0f * dot(wo, m) * m - wo;
 }
 
-// Solid-angle density of sample_ggx_reflection, with h the unit half vector of wo and wi.
-HM_FN float pdf_ggx_reflection(vec3 wo, vec3 h, float alpha) {
+// The solid-angle density of sample_ggx_reflection over that of microfacet normals at the half
+// vector.
+HM_FN float ggx_reflection_pdf_scale(vec3 wo, float alpha) {
     HM_MAY_CONTRACT
     float x = wo.x * alpha;
     float y = wo.y * alpha;
     float t = fast_sqrt(x * x + y * y + wo.z * wo.z);
     float sine = fast_sqrt(wo.x * wo.x + wo.y * wo.y);
-    return eval_ggx_d(h, alpha) / (2.0f * (ggx_cap_scale(wo, sine, alpha) * wo.z + t));
+    return 0.5f / (ggx_cap_scale(wo, sine, alpha) * wo.z + t);
 }
 
 HM_NAMESPACE_END

@@ -72,6 +72,10 @@ glm::dvec3 cap_point(glm::dvec3 h, glm::dvec3 wo_std, double alpha) {
     return 2 * glm::dot(wo_std, m) * m - wo_std;
 }
 
+float pdf_ggx_reflection(vec3 wo, vec3 h, float alpha) {
+    return eval_ggx_d(h, alpha) * ggx_reflection_pdf_scale(wo, alpha);
+}
+
 TEST(Ggx, BoundedCapLosesNothingAboveTheHorizon) {
     // Integrates the density over all half vectors, in double, splitting what bounded sampling can
     // reach from what it leaves out. The reachable part has mass one; the rest points downwards.

@@ -53,10 +53,14 @@ struct TextureUse {
     uint wrap_v;
     uint filter_mode;
     uint uv_set;
-    uint srgb;  // 1: colours decode from sRGB
     vec3 uv_row_u;
     vec3 uv_row_v;
 };
+
+// How the colour channels of texels are stored. The material's slot decides it, so it is a constant
+// wherever a texture is read, and the other decoding falls away.
+HM_CONST uint kEncodingLinear = 0u;
+HM_CONST uint kEncodingSrgb = 1u;
 
 // What every mesh has, 48 bytes; tangent.w is the bitangent's sign, uv1 and colours are apart.
 struct Vertex {
@@ -211,7 +215,7 @@ namespace hm {
 static_assert(sizeof(MaterialData) == 80 && offsetof(MaterialData, specular_weight) == 28 &&
               offsetof(MaterialData, base_color_texture) == 48 &&
               offsetof(MaterialData, flags) == 76);
-static_assert(sizeof(TextureUse) == 48 && offsetof(TextureUse, uv_row_u) == 24);
+static_assert(sizeof(TextureUse) == 44 && offsetof(TextureUse, uv_row_u) == 20);
 static_assert(sizeof(Vertex) == 48 && sizeof(VertexExtra) == 24);
 static_assert(sizeof(GeometryData) == 16 && sizeof(InstanceData) == 112);
 static_assert(sizeof(LightData) == 52 && sizeof(AliasEntry) == 16);

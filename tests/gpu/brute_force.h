@@ -12,9 +12,9 @@ HM_FN uvec2 image_size(uint image) {
     return uvec2(i.y, i.z);
 }
 
-HM_FN vec4 fetch_texel(uint image, uint x, uint y, uint srgb) {
+HM_FN vec4 fetch_texel(uint image, uint x, uint y, uint encoding) {
     uvec3 i = scene_images[image];
-    return scene_texels[2u * (i.x + y * i.y + x) + srgb];
+    return scene_texels[2u * (i.x + y * i.y + x) + encoding];
 }
 
 HM_FN uvec3 corners(uint geometry, uint primitive) {

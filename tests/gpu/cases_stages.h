@@ -26,7 +26,8 @@ HM_FN void run_texture(uint index, HM_INOUT(CaseResult) result) {
     vec2 uv0 = vec2(case_between(index, 10u, -3.0f, 3.0f), case_between(index, 11u, -3.0f, 3.0f));
     vec2 uv1 = vec2(case_unit(index, 12u), case_unit(index, 13u));
     uint texture_use = 1u + case_bits(index, 14u) % 4u;
-    vec4 texel = sample_texture(texture_use, uv0, uv1);
+    uint encoding = case_bits(index, 16u) & 1u;
+    vec4 texel = sample_texture(texture_use, encoding, uv0, uv1);
     result.values[1] = texel.x;
     result.values[2] = texel.y;
     result.values[3] = texel.w;
@@ -43,7 +44,7 @@ HM_FN void run_bsdf(uint index, HM_INOUT(CaseResult) result) {
     vec3 wo = case_upper_direction(index, 25u);
     vec3 wi = case_upper_direction(index, 26u);
     Bsdf b;
-    make_bsdf(base, metallic, roughness, 1.0f, wo.z, b);
+    make_bsdf(base, metallic, roughness, 1.0f, wo, b);
     float pdf;
     vec3 f = eval_bsdf(b, wo, wi, pdf);
     result.values[5] = b.p_specular;

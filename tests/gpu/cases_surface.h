@@ -19,7 +19,7 @@ HM_FN void run_ggx(uint index, HM_INOUT(CaseResult) result) {
     // The logarithm of the density, which spans many orders of magnitude.
     result.values[0] = log2(eval_ggx_d(h, alpha));
     result.values[1] = eval_ggx_v(wo.z, h.z, alpha);
-    result.values[2] = log2(pdf_ggx_reflection(wo, h, alpha));
+    result.values[2] = log2(eval_ggx_d(h, alpha) * ggx_reflection_pdf_scale(wo, alpha));
     vec3 wi = sample_ggx_reflection(wo, alpha, u, v);
     result.values[3] = wi.x;
     result.values[4] = wi.y;

@@ -47,11 +47,11 @@ TEST(Contraction, OnlyWhereItWeighsPaths) {
     EXPECT_EQ(contracting(shaders::closesthit_rchit()),
               (Names{"environment_radiance", "eval_ggx_d", "eval_ggx_v", "eval_lobes",
                      "fetch_texel", "lookup_albedo", "luminance", "make_bsdf", "mis_weight",
-                     "pdf_ggx_reflection", "shade_light_sample"}));
+                     "ggx_reflection_pdf_scale", "shade_light_sample", "srgb_to_linear"}));
     EXPECT_EQ(contracting(shaders::miss_rmiss()), Names{"environment_radiance"});
     EXPECT_EQ(contracting(shaders::reference_view_rgen()),
               (Names{"add_contribution", "luminance", "mis_weight", "trace_sample"}));
-    EXPECT_EQ(contracting(shaders::anyhit_rahit()), Names{"fetch_texel"});
+    EXPECT_EQ(contracting(shaders::anyhit_rahit()), (Names{"fetch_texel", "srgb_to_linear"}));
 }
 
 }  // namespace

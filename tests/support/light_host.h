@@ -29,8 +29,8 @@ struct LightHost {
     uvec2 image_size(uint image) const {
         return {flat.images[image].width, flat.images[image].height};
     }
-    vec4 fetch_texel(uint image, uint x, uint y, uint is_srgb) const {
-        return fetch_image_texel(flat.images[image], x, y, is_srgb != 0, srgb_table());
+    vec4 fetch_texel(uint image, uint x, uint y, uint encoding) const {
+        return fetch_image_texel(flat.images[image], x, y, encoding == kEncodingSrgb, srgb_table());
     }
     void load_triangle(uint geometry, uint primitive, Triangle& t) const {
         const GeometryView& view = flat.geometry_views[geometry];

@@ -22,6 +22,7 @@ struct Bsdf {
     float diffuse_scale;   // (1 - E_layer(wo)) / (1 - E_layer_avg)
     vec3 multiple;         // (1 - E(wo)) F_ms / (pi (1 - E_avg)); 0 without compensation
     float p_specular;      // probability of sampling the specular lobe
+    float pdf_scale;       // ggx_reflection_pdf_scale
 };
 
 // x and y of the split albedo at a cosine.
@@ -56,8 +57,8 @@ HM_FN float multiple_scattering(float f0, float f90, float e_average) {
     return f * f * e_average / (1.0f - f * (1.0f - e_average));
 }
 
-// base: linear colour; wo_z: cosine of the view direction, positive.
-HM_FN void make_bsdf(vec3 base, float metallic, float roughness, float specular_weight, float wo_z,
+// base: linear colour; wo: the view direction, above the surface.
+HM_FN void make_bsdf(vec3 base, float metallic, float roughness, float specular_weight, vec3 wo,
                      HM_OUT(Bsdf) b) {
     HM_MAY_CONTRACT
     b.roughness = clamp(roughness, kMinRoughness, 1.0f);
@@ -68,7 +69,7 @@ HM_FN void make_bsdf(vec3 base, float metallic, float roughness, float specular_
     b.f0 = vec3(b.layer_f0) * (1.0f - metallic) + base * metallic;
     b.f90 = b.layer_f90 * (1.0f - metallic) + metallic;
 
-    vec2 e_split = lookup_albedo(wo_z, b.roughness);
+    vec2 e_split = lookup_albedo(wo.z, b.roughness);
     float e = e_split.x + e_split.y;
     float layer = b.layer_f0 * e_split.x + b.layer_f90 * e_split.y;
     vec3 specular_albedo = b.f0 * e_split.x + vec3(b.f90 * e_split.y);
@@ -96,6 +97,7 @@ HM_FN void make_bsdf(vec3 base, float metallic, float roughness, float specular_
     }
     float s = luminance(specular_albedo);
     float d = luminance(cosine_albedo);
+    b.pdf_scale = ggx_reflection_pdf_scale(wo, b.alpha);
     b.p_specular = d > 0.0f ? 0.0f : 1.0f;
     if (s > 0.0f && d > 0.0f) b.p_specular = clamp(s / (s + d), 0.01f, 0.99f);
 }
@@ -119,8 +121,9 @@ HM_FN void eval_lobes(HM_IN(Bsdf) b, vec3 wo, vec3 wi, HM_OUT(vec3) diffuse, HM_
     specular = vec3(0.0f);
     if (b.p_specular > 0.0f) {
         vec3 fresnel = b.f0 + (vec3(b.f90) - b.f0) * grazing;
-        specular = fresnel * (eval_ggx_d(h, b.alpha) * eval_ggx_v(wo.z, wi.z, b.alpha));
-        pdf = b.p_specular * pdf_ggx_reflection(wo, h, b.alpha);
+        float density = eval_ggx_d(h, b.alpha);
+        specular = fresnel * (density * eval_ggx_v(wo.z, wi.z, b.alpha));
+        pdf = b.p_specular * density * b.pdf_scale;
     }
     float transmitted = 1.0f - (b.layer_f0 + (b.layer_f90 - b.layer_f0) * grazing);
     if (params.energy_compensation != 0u) {

@@ -65,14 +65,15 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
     if (last || (m.flags & kMaterialUnlit) != 0u) return;
 
     vec4 base = base_color(m, s.uv0, s.uv1, s.color);
-    vec4 metallic_roughness = sample_texture(m.metallic_roughness_texture, s.uv0, s.uv1);
+    vec4 metallic_roughness =
+        sample_texture(m.metallic_roughness_texture, kEncodingLinear, s.uv0, s.uv1);
     Frame frame;
     make_frame(s.ns, frame);
     vec3 wo = to_local(frame, -direction);
     Bsdf b;
     float metallic = saturate(m.metallic_factor * metallic_roughness.z);
     make_bsdf(vec3(base.x, base.y, base.z), metallic, m.roughness_factor * metallic_roughness.y,
-              m.specular_weight, wo.z, b);
+              m.specular_weight, wo, b);
     note_material(p, b, metallic);
     p.next_origin = offset_ray_origin(s.position, s.ng);
 

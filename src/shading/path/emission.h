@@ -3,7 +3,8 @@
 // Tables: emitters, emitter_alias.
 
 HM_FN vec4 base_color(HM_IN(MaterialData) m, vec2 uv0, vec2 uv1, vec4 color) {
-    return m.base_color_factor * sample_texture(m.base_color_texture, uv0, uv1) * color;
+    return m.base_color_factor * sample_texture(m.base_color_texture, kEncodingSrgb, uv0, uv1) *
+           color;
 }
 
 // The probability that any-hit keeps a hit of this alpha.
@@ -19,7 +20,7 @@ HM_FN vec3 emitted_radiance(HM_IN(MaterialData) m, vec2 uv0, vec2 uv1, vec4 colo
         return vec3(c.x, c.y, c.z);
     }
     if (max_component(m.emissive_factor) <= 0.0f) return vec3(0.0f);
-    vec4 texel = sample_texture(m.emissive_texture, uv0, uv1);
+    vec4 texel = sample_texture(m.emissive_texture, kEncodingSrgb, uv0, uv1);
     return m.emissive_factor * vec3(texel.x, texel.y, texel.z);
 }
 

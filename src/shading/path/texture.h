@@ -4,7 +4,7 @@
 // Hooks: fetch_texel returns a decoded, linear texel; image_size its picture's width and height.
 
 HM_HOOK(uvec2 image_size(uint image))
-HM_HOOK(vec4 fetch_texel(uint image, uint x, uint y, uint srgb))
+HM_HOOK(vec4 fetch_texel(uint image, uint x, uint y, uint encoding))
 
 // Image 0 is the 1x1 white that stands for textures a file does not give.
 HM_CONST uint kImageWhite = 0u;
@@ -30,7 +30,7 @@ HM_FN uint wrap_texel(int i, int n, uint wrap) {
     return uint(i);
 }
 
-HM_FN vec4 sample_texture(uint texture_use, vec2 uv0, vec2 uv1) {
+HM_FN vec4 sample_texture(uint texture_use, uint encoding, vec2 uv0, vec2 uv1) {
     HM_ROW(TextureUse) t = texture_uses[texture_use];
     if (t.image == kImageWhite) return vec4(1.0f);
     vec2 uv = t.uv_set == 0u ? uv0 : uv1;
@@ -42,7 +42,7 @@ HM_FN vec4 sample_texture(uint texture_use, vec2 uv0, vec2 uv1) {
     if (t.filter_mode == kFilterNearest) {
         uint i = wrap_texel(int(x), int(size.x), kWrapClamp);
         uint j = wrap_texel(int(y), int(size.y), kWrapClamp);
-        return fetch_texel(t.image, i, j, t.srgb);
+        return fetch_texel(t.image, i, j, encoding);
     }
     float left = floor(x - 0.5f);
     float top = floor(y - 0.5f);
@@ -52,9 +52,9 @@ HM_FN vec4 sample_texture(uint texture_use, vec2 uv0, vec2 uv1) {
     uint i1 = wrap_texel(int(left) + 1, int(size.x), t.wrap_u);
     uint j0 = wrap_texel(int(top), int(size.y), t.wrap_v);
     uint j1 = wrap_texel(int(top) + 1, int(size.y), t.wrap_v);
-    vec4 upper = fetch_texel(t.image, i0, j0, t.srgb) * (1.0f - fx) +
-                 fetch_texel(t.image, i1, j0, t.srgb) * fx;
-    vec4 lower = fetch_texel(t.image, i0, j1, t.srgb) * (1.0f - fx) +
-                 fetch_texel(t.image, i1, j1, t.srgb) * fx;
+    vec4 upper = fetch_texel(t.image, i0, j0, encoding) * (1.0f - fx) +
+                 fetch_texel(t.image, i1, j0, encoding) * fx;
+    vec4 lower = fetch_texel(t.image, i0, j1, encoding) * (1.0f - fx) +
+                 fetch_texel(t.image, i1, j1, encoding) * fx;
     return upper * (1.0f - fy) + lower * fy;
 }
