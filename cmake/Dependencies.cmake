@@ -1,5 +1,5 @@
-# Libraries outside of what this project is about. All are packages of the running distribution
-# (scripts/install-deps.sh); nothing is downloaded while configuring.
+# Libraries outside of what this project is about. scripts/install-deps.sh gets them, nearly all from
+# the running distribution; nothing is downloaded while configuring.
 find_package(glm REQUIRED)
 find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
@@ -11,6 +11,11 @@ find_package(PkgConfig REQUIRED)
 find_package(JPEG REQUIRED)
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+# One file, which image/wuffs.cpp compiles.
+find_path(WUFFS wuffs-unsupported-snapshot.c HINTS ${PROJECT_SOURCE_DIR}/build/wuffs)
+if(NOT WUFFS)
+  message(FATAL_ERROR "Wuffs is not found; scripts/fetch-wuffs.sh gets it")
+endif()
 if(HIMALAYA_TESTS)
   find_package(GTest REQUIRED)
 endif()

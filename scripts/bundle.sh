@@ -58,6 +58,11 @@ for library in libvulkan.so.1 libEGL.so.1 libGLdispatch.so.0; do
     fi
 done
 install -m 644 "$root/LICENSE" "$root/README.md" "$work/share/doc/"
+# Compiled into the program.
+for library in vma wuffs; do
+    [ ! -f "$root/build/$library/copyright" ] ||
+        install -m 644 -D "$root/build/$library/copyright" "$work/share/doc/$library/copyright"
+done
 
 # Starts from elsewhere, with none of this machine's search paths but its own folder.
 if ! env -i "$work/bin/himalaya" --version >/dev/null; then

@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
 # Puts Intel Open Image Denoise 2.5.1 into build/oidn/lib, where the program finds it. The libraries
 # come from the wheel `pyoidn` on PyPI, which holds the device libraries for CPU, CUDA, HIP and SYCL;
-# pip checks its hash, and nothing of it is installed or run.
+# nothing of it is installed or run.
 #
 # The folder has to be called lib: the libraries look for each other in $ORIGIN/../lib.
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
-target=$root/build/oidn
+source "$root/scripts/pypi.sh"
 version=2.5.1
-wheel="pyoidn==$version.0 --hash=sha256:32ad13368f8de1ef63001942ad05b02a00cd732d1206d97f352d3a3f606d823e"
 # Each under the name that is asked for at run time; the wheel has copies under other names.
 libraries=(
     libOpenImageDenoise.so.2 libOpenImageDenoise_core.so.$version
@@ -18,35 +17,23 @@ libraries=(
     libur_loader.so.0 libur_adapter_level_zero.so.0 libur_adapter_level_zero_v2.so.0
 )
 
-# Written last, so that a folder half made does not count.
-if [ "$(cat "$target/version" 2>/dev/null)" = "$version" ]; then
-    echo "fetch-oidn: $target is there"
-    exit 0
-fi
 if [ "$(uname -sm)" != "Linux x86_64" ]; then
     echo "fetch-oidn: the wheel is for Linux on x86-64, this is $(uname -sm)." \
         "Build Open Image Denoise 2 and name its folder in HIMALAYA_OIDN." >&2
     exit 1
 fi
-if ! python3 -m pip --version >/dev/null 2>&1; then
-    echo "fetch-oidn: python3 with pip is needed (Debian: python3-pip)" >&2
-    exit 1
-fi
 
-work=$root/build/oidn.new
-rm -rf "$work"
-mkdir -p "$work/wheel" "$work/lib"
-echo "$wheel" >"$work/requirements.txt"
+pypi_begin fetch-oidn "$root/build/oidn" $version
+mkdir "$work/wheel" "$work/lib"
 echo "fetch-oidn: downloading pyoidn $version.0 from PyPI (87 MB)"
-python3 -m pip download --quiet --disable-pip-version-check --no-deps --only-binary :all: \
-    --require-hashes -r "$work/requirements.txt" -d "$work/wheel"
+pypi_pip download --only-binary :all: -d "$work/wheel" <<END
+pyoidn==$version.0 --hash=sha256:32ad13368f8de1ef63001942ad05b02a00cd732d1206d97f352d3a3f606d823e
+END
 python3 -m zipfile -e "$work"/wheel/pyoidn-*.whl "$work/wheel/all"
 for library in "${libraries[@]}"; do
     mv "$work/wheel/all/pyoidn/oidn/lib/$library" "$work/lib/"
 done
 cp "$work"/wheel/all/pyoidn-*.dist-info/licenses/LICENSE "$work/LICENSE.pyoidn"
-rm -rf "$work/wheel" "$work/requirements.txt"
-echo "$version" >"$work/version"
-rm -rf "$target"
-mv "$work" "$target"
+rm -r "$work/wheel"
+pypi_end
 echo "fetch-oidn: Open Image Denoise $version is in $target/lib"

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Installs what Himalaya needs from Debian 12's own packages, and gets the denoiser's library from
-# PyPI into the build folder (scripts/fetch-oidn.sh). A second run only looks and returns.
+# Installs what Himalaya needs from Debian 12's own packages, and gets from PyPI into the build folder
+# the PNG decoder (scripts/fetch-wuffs.sh) and the denoiser's library (scripts/fetch-oidn.sh). A
+# second run only looks and returns.
 #   --build    what building and rendering need
 #   --test     that, and what the tests need (default)
 #   --fuzz     what building needs, and clang with libFuzzer
@@ -31,8 +32,10 @@ esac
 # So does Python.
 python3 -m pip --version >/dev/null 2>&1 || packages="$packages python3-pip"
 
-# Rendering goes on without it, --denoise does not; the tests want it.
-fetch_denoiser() {
+# Rendering goes on without the denoiser, --denoise does not; the tests want it.
+fetch_from_pypi() {
+    "$(dirname "$0")/fetch-wuffs.sh"
+    [ "$group" != --fuzz ] || return 0
     "$(dirname "$0")/fetch-oidn.sh" && return
     [ "$group" != --test ] || exit 1
     echo "install-deps: no denoiser, so --denoise will not work; all else does" >&2
@@ -54,7 +57,7 @@ for package in $packages; do
 done
 if [ -z "$missing" ]; then
     echo "install-deps: every package is installed"
-    [ "$group" = --fuzz ] || fetch_denoiser
+    fetch_from_pypi
     exit 0
 fi
 echo "install-deps: installing$missing"
@@ -66,4 +69,4 @@ as_root apt-get update -qq
 # shellcheck disable=SC2086  # one word per package
 as_root env DEBIAN_FRONTEND=noninteractive \
     apt-get install -y -qq --no-install-recommends $missing
-[ "$group" = --fuzz ] || fetch_denoiser
+fetch_from_pypi

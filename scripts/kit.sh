@@ -14,9 +14,11 @@ rm -rf "$work"
 mkdir -p "$work/source" "$work/deps"
 
 "$root/scripts/fetch-vma.sh"
+"$root/scripts/fetch-wuffs.sh"
 git -C "$root" archive HEAD -- . ':!docs/images' ':!docs/gallery' ':!tests' | tar -x -C "$work/source"
 mkdir -p "$work/source/build/vma"
 cp -r "$root"/build/vma/include "$work/source/build/vma/"
+cp -r "$root"/build/wuffs "$work/source/build/"
 
 # The packages that a build needs, and the libraries that those depend on but every system has.
 packages="libglm-dev libsimdjson-dev libsimdjson14 libopenexr-dev libopenexr-3-1-30 libimath-dev

@@ -249,14 +249,17 @@ TEST(MemoryLimit, IsKeptBeforeMemoryIsTaken) {
     EXPECT_NE(zeros.find("/meshes/0/primitives/0: needs"), std::string::npos) << zeros;
     // A header that claims 16384 x 16384 pixels; nothing of them follows.
     std::string png("\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\x40\0\0\0\x40\0\x08\x06\0\0\0", 29);
-    const std::string image =
-        load({{"images", fmt::format(R"([{{"uri":"data:image/png;base64,{}"}}])", base64(png))},
-              {"textures", R"([{"source":0}])"},
-              {"materials", R"([{"emissiveTexture":{"index":0}}])"},
-              {"meshes", R"([{"primitives":[{"material":0,"attributes":
-            {"POSITION":0,"TEXCOORD_0":2}}]}])"}},
-             kMegabyte);
-    EXPECT_NE(image.find("/images/0: needs 1073741824 bytes"), std::string::npos) << image;
+    const Overrides image = {
+        {"images", fmt::format(R"([{{"uri":"data:image/png;base64,{}"}}])", base64(png))},
+        {"textures", R"([{"source":0}])"},
+        {"materials", R"([{"emissiveTexture":{"index":0}}])"},
+        {"meshes", R"([{"primitives":[{"material":0,"attributes":
+            {"POSITION":0,"TEXCOORD_0":2}}]}])"}};
+    const std::string pixels = load(image, kMegabyte);
+    EXPECT_NE(pixels.find("/images/0: needs 1073741824 bytes"), std::string::npos) << pixels;
+    // Room for the pixels, but not for decoding them.
+    const std::string rows = load(image, 1536 * kMegabyte);
+    EXPECT_NE(rows.find("/images: needs 1073741824 bytes"), std::string::npos) << rows;
 }
 
 }  // namespace

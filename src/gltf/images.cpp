@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
 
 #include "gltf/budget.h"
 #include "gltf/materials.h"
@@ -92,6 +97,21 @@ std::vector<int> choose(const std::vector<Material>& materials, const std::vecto
     return new_index;
 }
 
+// While a picture is decoded, its rows as stored take up to as much memory as its pixels. As many
+// are decoded at once as there are threads.
+Result<void> check_memory_of_decoding(const std::vector<Encoded>& encoded, const Source& source) {
+    std::vector<std::uint64_t> sizes;
+    for (const Encoded& e : encoded)
+        sizes.push_back(e.decoded_bytes);
+    const std::size_t at_once =
+        std::min(sizes.size(), std::size_t(tbb::this_task_arena::max_concurrency()));
+    std::partial_sort(sizes.begin(), sizes.begin() + std::ptrdiff_t(at_once), sizes.end(),
+                      std::greater<>());
+    const auto largest =
+        std::accumulate(sizes.begin(), sizes.begin() + std::ptrdiff_t(at_once), std::uint64_t{0});
+    return check_memory(source.budget, largest, source.file, "/images");
+}
+
 }  // namespace
 
 Result<std::vector<Image>> read_images(const Json& root, Source& source,
@@ -108,6 +128,7 @@ Result<std::vector<Image>> read_images(const Json& root, Source& source,
     for (const std::size_t i : chosen) {
         HM_TRY_ASSIGN(encoded.emplace_back(), fetch(items[i], source));
     }
+    HM_TRY(check_memory_of_decoding(encoded, source));
     std::vector<Result<Image>> read(chosen.size());
     tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
         read[i] = read_texture_image(encoded[i].bytes, encoded[i].name);

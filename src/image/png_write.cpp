@@ -1,5 +1,4 @@
-// PNG through libspng (W3C, Portable Network Graphics, third edition).
-#include <fmt/format.h>
+// Writing PNG through libspng (W3C, Portable Network Graphics, third edition).
 #include <spng.h>
 
 #include <cstdlib>
@@ -10,7 +9,6 @@
 #include <utility>
 
 #include "base/check.h"
-#include "base/memory.h"
 #include "image/codecs.h"
 
 namespace hm {
@@ -20,27 +18,6 @@ struct FreeContext {
     void operator()(spng_ctx* context) const { spng_ctx_free(context); }
 };
 using Context = std::unique_ptr<spng_ctx, FreeContext>;
-
-tl::unexpected<Error> refuse(std::string_view name, std::string message) {
-    return fail(ExitCode::invalid, std::string(name), "", "PNG: " + std::move(message));
-}
-
-std::uint64_t bits_per_pixel(const spng_ihdr& header) {
-    switch (header.color_type) {
-        case SPNG_COLOR_TYPE_TRUECOLOR:
-            return 3u * header.bit_depth;
-        case SPNG_COLOR_TYPE_GRAYSCALE_ALPHA:
-            return 2u * header.bit_depth;
-        case SPNG_COLOR_TYPE_TRUECOLOR_ALPHA:
-            return 4u * header.bit_depth;
-        default:
-            return header.bit_depth;
-    }
-}
-
-// Ancillary chunks are text and profiles; more of them than this is an attack.
-constexpr std::size_t kMaxChunkBytes = 64u << 20;
-constexpr std::size_t kMaxChunkBytesInAll = 128u << 20;
 
 // For quick writing of large pictures: on a photograph level 6 with a choice among all filters took
 // 5.6 times as long for a file 5 % smaller.
@@ -98,41 +75,6 @@ int set_text(spng_ctx* context, const Metadata& metadata, std::vector<std::strin
 }
 
 }  // namespace
-
-Result<Image> decode_png(Bytes bytes, std::string_view name) {
-    const Context context(spng_ctx_new(0));
-    if (!context) throw std::bad_alloc();
-    // A damaged transparency chunk must not go unnoticed; the library's default is to drop it.
-    spng_set_crc_action(context.get(), SPNG_CRC_ERROR, SPNG_CRC_ERROR);
-    spng_set_chunk_limits(context.get(), kMaxChunkBytes, kMaxChunkBytesInAll);
-    spng_ihdr header{};
-    int status = spng_set_png_buffer(context.get(), bytes.data(), bytes.size());
-    if (status == SPNG_OK) status = spng_get_ihdr(context.get(), &header);
-    if (status != SPNG_OK) return refuse(name, spng_strerror(status));
-    HM_TRY(check_image_size(header.width, header.height, name));
-
-    // Deflate turns one byte into at most 1032 (two bits for a run of 258).
-    const std::uint64_t pixels = std::uint64_t(header.width) * header.height;
-    if (pixels * bits_per_pixel(header) / 8 > bytes.size() * 1032)
-        return refuse(name, fmt::format("{} bytes are too few for {} x {} pixels", bytes.size(),
-                                        header.width, header.height));
-
-    Image image{header.width,
-                header.height,
-                header.bit_depth == 16 ? PixelFormat::rgba16 : PixelFormat::rgba8,
-                {}};
-    image.pixels.reserve(pixels * bytes_per_pixel(image.format));
-    prefer_huge_pages(image.pixels.data(), image.pixels.capacity());
-    image.pixels.resize(pixels * bytes_per_pixel(image.format));
-    const int format = header.bit_depth == 16 ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
-    status = spng_decode_image(context.get(), image.pixels.data(), image.pixels.size(), format,
-                               SPNG_DECODE_TRNS);
-    // The chunks after the picture, to know that the file is whole.
-    if (status == SPNG_OK) status = spng_decode_chunks(context.get());
-    if (status == SPNG_EMEM) throw std::bad_alloc();
-    if (status != SPNG_OK) return refuse(name, spng_strerror(status));
-    return image;
-}
 
 Result<std::vector<std::byte>> encode_png(const Image& image, bool alpha,
                                           const Metadata& metadata) {
