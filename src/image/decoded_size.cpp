@@ -1,23 +1,17 @@
 // PNG (second edition, 11.2.2: IHDR comes first) and JPEG (ITU T.81, B.2.2: the frame header).
 #include "image/decoded_size.h"
 
+#include "image/big_endian.h"
 #include "image/read.h"
 
 namespace hm {
 namespace {
 
-std::uint64_t big_endian(Bytes bytes, std::size_t at, std::size_t count) {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        value = value << 8 | std::to_integer<std::uint64_t>(bytes[at + i]);
-    return value;
-}
-
 std::optional<std::uint64_t> png_size(Bytes bytes) {
     constexpr std::size_t kWidth = 16, kHeight = 20, kDepth = 24;
     if (bytes.size() <= kDepth) return std::nullopt;
-    const std::uint64_t width = big_endian(bytes, kWidth, 4);
-    const std::uint64_t height = big_endian(bytes, kHeight, 4);
+    const std::uint64_t width = big_endian(bytes.subspan(kWidth, 4));
+    const std::uint64_t height = big_endian(bytes.subspan(kHeight, 4));
     if (width > kMaxImageSide || height > kMaxImageSide) return std::nullopt;
     return width * height *
            bytes_per_pixel(bytes[kDepth] == std::byte(16) ? PixelFormat::rgba16
@@ -32,7 +26,7 @@ bool is_frame(std::uint64_t marker) {
 std::optional<std::uint64_t> jpeg_size(Bytes bytes) {
     std::size_t at = 2;
     while (at + 4 <= bytes.size()) {
-        const std::uint64_t marker = big_endian(bytes, at + 1, 1);
+        const std::uint64_t marker = big_endian(bytes.subspan(at + 1, 1));
         // Stray bytes and fill bytes before a marker are passed over, as the decoder does.
         if (bytes[at] != std::byte(0xFF) || marker == 0xFF || marker == 0) {
             ++at;
@@ -40,11 +34,11 @@ std::optional<std::uint64_t> jpeg_size(Bytes bytes) {
         }
         if (is_frame(marker)) {
             if (at + 9 > bytes.size()) return std::nullopt;
-            return big_endian(bytes, at + 5, 2) * big_endian(bytes, at + 7, 2) *
+            return big_endian(bytes.subspan(at + 5, 2)) * big_endian(bytes.subspan(at + 7, 2)) *
                    bytes_per_pixel(PixelFormat::rgba8);
         }
         const bool alone = marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8);
-        at += 2 + (alone ? 0 : big_endian(bytes, at + 2, 2));
+        at += 2 + (alone ? 0 : big_endian(bytes.subspan(at + 2, 2)));
     }
     return std::nullopt;
 }

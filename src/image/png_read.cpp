@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/memory.h"
+#include "image/big_endian.h"
 #include "image/codecs.h"
 #include "image/wuffs.h"
 
@@ -43,13 +44,6 @@ std::uint32_t checksum(Bytes bytes) {
     return hasher->update_u32(slice(bytes));
 }
 
-std::uint32_t big_endian(Bytes bytes) {
-    std::uint32_t value = 0;
-    for (const std::byte b : bytes)
-        value = value << 8 | std::to_integer<std::uint32_t>(b);
-    return value;
-}
-
 struct Chunk {
     std::string_view type;
     Bytes data;
@@ -65,22 +59,21 @@ std::optional<Chunk> next_chunk(Bytes& rest) {
     const Bytes summed = rest.subspan(4, 4 + length);
     const std::string_view type(reinterpret_cast<const char*>(summed.data()), 4);
     Chunk chunk{type, summed.subspan(4), true};
-    if (type != "IDAT") {  // those are many bytes, and the decoder checks them
+    if (type != "IDAT")  // those are many bytes, and the decoder checks them
         chunk.intact = checksum(summed) == big_endian(rest.subspan(8 + length, 4));
-    }
     rest = rest.subspan(kFrame + length);
     return chunk;
 }
 
 // What the decoder does not tell.
 struct Header {
-    std::uint32_t depth = 0;
-    std::uint32_t color_type = 0;
+    std::uint64_t depth = 0;
+    std::uint64_t color_type = 0;
     Bytes transparent;               // the contents of tRNS
     std::size_t animation_type = 0;  // where acTL has its type; 0 without
 };
 
-constexpr std::uint32_t kGrey = 0, kTruecolour = 2;
+constexpr std::uint64_t kGrey = 0, kTruecolour = 2;
 
 // Fails where a chunk that the decoder passes over is damaged; leaves other faults to the decoder.
 Result<Header> read_header(Bytes png, std::string_view name) {
@@ -127,10 +120,10 @@ void restore_transparent_colour(const Header& header, Image& image) {
     const bool grey = header.color_type == kGrey;
     if (!grey && header.color_type != kTruecolour) return;
     if (header.transparent.size() != (grey ? 2u : 6u)) return;
-    const std::uint32_t most = (1u << header.depth) - 1;
+    const std::uint64_t most = (1u << header.depth) - 1;
     T color[3];
     for (std::size_t c = 0; c < 3; ++c) {
-        const std::uint32_t value = big_endian(header.transparent.subspan(grey ? 0 : 2 * c, 2));
+        const std::uint64_t value = big_endian(header.transparent.subspan(grey ? 0 : 2 * c, 2));
         color[c] = T(header.depth < 8 ? (value & most) * 255 / most : value & most);
     }
     T* pixel = reinterpret_cast<T*>(image.pixels.data());
