@@ -40,7 +40,7 @@ struct BenchScene {
 Result<EnvironmentMap> read_environment(const std::string& name) {
     if (name == "none") return make_environment(default_environment(), 0, 0);
     if (name.empty()) return make_environment(default_environment(), 0, 1);
-    HM_TRY_ASSIGN(std::vector<std::byte> bytes, read_file(name));
+    HM_TRY_ASSIGN(ByteArray bytes, read_file(name));
     HM_TRY_ASSIGN(Image image, read_environment_image(bytes, name));
     return make_environment(image, 0, 1);
 }

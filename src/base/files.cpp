@@ -12,8 +12,6 @@
 #include <system_error>
 #include <utility>
 
-#include "base/memory.h"
-
 namespace hm {
 namespace {
 
@@ -111,7 +109,7 @@ void sync_folder(const fs::path& folder) {
 
 }  // namespace
 
-Result<std::vector<std::byte>> read_file(const fs::path& path) {
+Result<ByteArray> read_file(const fs::path& path) {
     // O_NONBLOCK: opening a named pipe must not wait for its other end.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.fd < 0) return unreadable(path, "can't be opened: " + error_text(errno));
@@ -120,10 +118,8 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
     if (S_ISDIR(info.st_mode)) return unreadable(path, "is a folder, not a file");
     if (!S_ISREG(info.st_mode)) return unreadable(path, "is not a regular file");
 
-    std::vector<std::byte> bytes;
+    ByteArray bytes;
     try {
-        bytes.reserve(static_cast<std::size_t>(info.st_size));
-        prefer_huge_pages(bytes.data(), bytes.capacity());
         bytes.resize(static_cast<std::size_t>(info.st_size));
     } catch (const std::exception&) {  // bad_alloc or length_error
         return unreadable(path, fmt::format("its {} bytes do not fit in memory", info.st_size));

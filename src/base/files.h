@@ -8,12 +8,13 @@
 #include <span>
 #include <vector>
 
+#include "base/memory.h"
 #include "base/result.h"
 
 namespace hm {
 
 // The bytes of a regular file. Fails with ExitCode::unreadable (missing, a folder, no permission).
-Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
+Result<ByteArray> read_file(const std::filesystem::path& path);
 
 // Whether a file of so many bytes could be written to `path` now: for asking before hours of work.
 // Makes a temporary file in its folder, reserves the room and removes it again. Fails with

@@ -1,23 +1,45 @@
+// The program's operator new: large pieces of memory lie in huge pages.
+//
+// Filled for the first time in small pages, memory costs more than most things that are done with
+// it: the system hands out four megabytes in 1.8 ms, in huge pages in 0.14 ms. Random reads of it
+// wait for address translation too. What the allocator of the C library makes begins a few bytes
+// behind a page's beginning, so its first huge page is never one.
 #include "base/memory.h"
 
 #if defined(__linux__)
 #include <sys/mman.h>
-#include <unistd.h>
 
-#include <cstdint>
-#endif
+#include <algorithm>
+#include <cstdlib>
+#include <new>
 
-namespace hm {
+namespace {
 
-void prefer_huge_pages(void* memory, std::size_t bytes) {
-    if (bytes < kHugePage) return;
-#if defined(__linux__)
-    // From the page where the memory begins: large pieces lie where a huge page may, but for what
-    // the allocator notes in front of them.
-    const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-    const std::uintptr_t before = reinterpret_cast<std::uintptr_t>(memory) % page;
-    (void)::madvise(static_cast<std::byte*>(memory) - before, bytes + before, MADV_HUGEPAGE);
-#endif
+void* allocate(std::size_t bytes) {
+    if (bytes < hm::kHugePage) return std::malloc(std::max<std::size_t>(bytes, 1));
+    void* memory = nullptr;
+    if (::posix_memalign(&memory, hm::kHugePage, bytes) != 0) return nullptr;
+    // A hint, for the huge pages that lie within; without them all works, more slowly.
+    (void)::madvise(memory, bytes, MADV_HUGEPAGE);
+    return memory;
 }
 
-}  // namespace hm
+}  // namespace
+
+void* operator new(std::size_t bytes) {
+    for (;;) {
+        if (void* memory = allocate(bytes)) return memory;
+        const std::new_handler make_room = std::get_new_handler();
+        if (make_room == nullptr) throw std::bad_alloc();
+        make_room();
+    }
+}
+
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+#endif

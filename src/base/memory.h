@@ -1,15 +1,29 @@
-// What the program asks of the system's memory beyond taking it.
+// Where the program's memory lies. On Linux every `new` of at least a huge page, and so every large
+// std::vector, begins where a huge page may.
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace hm {
 
 inline constexpr std::size_t kHugePage = std::size_t(1) << 21;
 
-// For memory that was taken, is not touched yet and will be used nearly whole: filled with small
-// pages, its first touch costs more than most things that are done with it. Only a hint, for the
-// huge pages that lie within; without them all works, more slowly.
-void prefer_huge_pages(void* memory, std::size_t bytes);
+// For bytes that are all written before any is read: what resize() adds is left unset.
+struct UnsetBytes : std::allocator<std::byte> {
+    template <class U>
+    struct rebind {
+        using other = UnsetBytes;
+    };
+    void construct(std::byte*) {}
+    template <class... Arguments>
+    void construct(std::byte* place, Arguments&&... arguments) {
+        std::construct_at(place, std::forward<Arguments>(arguments)...);
+    }
+};
+
+using ByteArray = std::vector<std::byte, UnsetBytes>;
 
 }  // namespace hm

@@ -1,24 +1,39 @@
-// Advice to the system about memory changes no byte of it, wherever it begins and ends.
+// Large arrays begin where a huge page may, and are as large as asked for.
 #include "base/memory.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <new>
 #include <vector>
 
 namespace hm {
 namespace {
 
-TEST(Memory, AdviceLeavesTheBytesAlone) {
-    std::vector<std::byte> bytes(4 * kHugePage + 123, std::byte(0x5A));
-    for (const std::size_t begin : {std::size_t(0), std::size_t(1), kHugePage - 1, kHugePage + 17})
-        for (const std::size_t size :
-             {std::size_t(0), std::size_t(1), kHugePage - 1, kHugePage, 2 * kHugePage + 5})
-            prefer_huge_pages(bytes.data() + begin, size);
-    prefer_huge_pages(nullptr, 0);
-    EXPECT_EQ(std::count(bytes.begin(), bytes.end(), std::byte(0x5A)),
-              std::ptrdiff_t(bytes.size()));
+TEST(Memory, LargeArraysBeginAtHugePages) {
+    for (const std::size_t size : {kHugePage, kHugePage + 1, 5 * kHugePage + 123}) {
+        const std::vector<std::byte> bytes(size, std::byte(0x5A));
+#if defined(__linux__)
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(bytes.data()) % kHugePage, 0u);
+#endif
+        EXPECT_EQ(std::size_t(std::count(bytes.begin(), bytes.end(), std::byte(0x5A))), size);
+    }
+}
+
+TEST(Memory, SmallPiecesAreApart) {
+    const std::unique_ptr<std::byte[]> first(new std::byte[0]), second(new std::byte[0]);
+    EXPECT_NE(first.get(), nullptr);
+    EXPECT_NE(first.get(), second.get());
+}
+
+TEST(Memory, WhatDoesNotFitIsRefused) {
+    const volatile std::size_t too_much = std::numeric_limits<std::size_t>::max() / 4;
+    EXPECT_THROW((void)::operator new(too_much), std::bad_alloc);
+    EXPECT_EQ(::operator new(too_much, std::nothrow), nullptr);
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ inline tl::unexpected<Error> fail(ExitCode code, std::string file, std::string p
 
 }  // namespace hm
 
-// Propagates a failed Result<void>-like expression; HM_TRY_ASSIGN also binds the value.
+// Propagates a failed Result<void>-like expression; HM_TRY_ASSIGN also binds the value. A reference
+// saves moving it, which costs more than most things that readers of small values do.
 #define HM_TRY(expression)                                                     \
     do {                                                                       \
         auto hm_result_ = (expression);                                        \

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "bvh/huge_pages.h"
 #include "bvh/view.h"
 #include "shading/structs.h"
 
@@ -40,12 +39,9 @@ struct BvhStats {
 
 // Owns what BvhView points to. The view lives as long as this does and is not moved.
 struct Bvh {
-    template <class T>
-    using Array = std::vector<T, HugePageAllocator<T>>;
-
-    Array<BvhNode> nodes;
-    Array<BvhPacket> packets;
-    Array<BvhTriangleId> ids;
+    std::vector<BvhNode> nodes;
+    std::vector<BvhPacket> packets;
+    std::vector<BvhTriangleId> ids;
     std::vector<BvhInstanceRef> instances;
     BvhBounds bounds{};
     std::uint32_t root = kBvhEmpty;

@@ -78,7 +78,7 @@ void expect_sound(const Bvh& bvh) {
     EXPECT_EQ(checker.instances_seen, bvh.instances.size());
 }
 
-bool same_nodes(const Bvh::Array<BvhNode>& a, const Bvh::Array<BvhNode>& b) {
+bool same_nodes(const std::vector<BvhNode>& a, const std::vector<BvhNode>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
         return std::memcmp(x.bounds, y.bounds, sizeof x.bounds) == 0 &&
                std::memcmp(x.child, y.child, sizeof x.child) == 0;
@@ -86,7 +86,7 @@ bool same_nodes(const Bvh::Array<BvhNode>& a, const Bvh::Array<BvhNode>& b) {
 }
 
 template <class T>
-bool same_bytes(const Bvh::Array<T>& a, const Bvh::Array<T>& b) {
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 

@@ -134,7 +134,7 @@ TEST_F(FilmStore, DamageIsNoticed) {
     add_samples(film, 0, 3, 2);
     const fs::path path = folder_ / "film.exr";
     ASSERT_TRUE(write_film(path, film, {16, 8, {{"note", "text"}}}, ExrCompression::none));
-    const std::vector<std::byte> bytes = *read_file(path);
+    const ByteArray bytes = *read_file(path);
     int refused = 0, harmless = 0;
     const auto check = [&](std::span<const std::byte> changed) {
         std::ofstream(path, std::ios::binary)
@@ -151,7 +151,7 @@ TEST_F(FilmStore, DamageIsNoticed) {
     };
     std::mt19937 numbers(3);
     for (int i = 0; i < 300; ++i) {
-        std::vector<std::byte> changed = bytes;
+        ByteArray changed = bytes;
         changed[numbers() % changed.size()] ^= std::byte(1u << numbers() % 8);
         check(changed);
     }

@@ -27,7 +27,7 @@ Result<void> check_target(const Json& view) {
 
 }  // namespace
 
-Result<std::vector<std::byte>> read_uri(Source& source, const Json& owner, std::string_view uri) {
+Result<ByteArray> read_uri(Source& source, const Json& owner, std::string_view uri) {
     if (is_data_uri(uri)) {
         HM_TRY(take_memory(owner, source, uri.size() / 4 * 3));
         auto bytes = decode_data_uri(uri);

@@ -20,7 +20,7 @@ namespace {
 
 // A picture as the file has it: in `storage` unless it lies in a buffer.
 struct Encoded {
-    std::vector<std::byte> storage;
+    ByteArray storage;
     std::span<const std::byte> bytes;
     std::string name;
     std::uint64_t decoded_bytes = 0;  // taken from the budget
@@ -97,8 +97,8 @@ std::vector<int> choose(const std::vector<Material>& materials, const std::vecto
     return new_index;
 }
 
-// While a picture is decoded, its rows as stored take up to as much memory as its pixels. As many
-// are decoded at once as there are threads.
+// While an interlaced or progressive picture is decoded, what is read of it so far takes about as
+// much memory as its pixels. As many are decoded at once as there are threads.
 Result<void> check_memory_of_decoding(const std::vector<Encoded>& encoded, const Source& source) {
     std::vector<std::uint64_t> sizes;
     for (const Encoded& e : encoded)

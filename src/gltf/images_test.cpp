@@ -32,7 +32,7 @@ TEST(Images, ReadsOnlyWhatIsUsed) {
     EXPECT_EQ(scene.materials[1].emissive_texture.image, 1);
     EXPECT_EQ(scene.images[0].width, 1u);
     EXPECT_EQ(scene.images[1].width, 2u);
-    const std::vector<std::byte> pixel{std::byte(10), std::byte(20), std::byte(30), std::byte(40)};
+    const ByteArray pixel{std::byte(10), std::byte(20), std::byte(30), std::byte(40)};
     EXPECT_EQ(scene.images[0].pixels, pixel);
 }
 

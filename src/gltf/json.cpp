@@ -7,8 +7,6 @@
 #include <iterator>
 #include <limits>
 
-#include "base/memory.h"
-
 namespace hm::gltf {
 namespace {
 
@@ -53,7 +51,8 @@ std::string escaped(std::string_view key) {
 }
 
 bool is_compound(dom::element value) {
-    return value.is_array() || value.is_object();
+    const dom::element_type type = value.type();
+    return type == dom::element_type::ARRAY || type == dom::element_type::OBJECT;
 }
 
 // A key that is in the list twice, or nothing.
@@ -71,6 +70,8 @@ std::optional<std::string_view> find_twice(std::span<std::string_view> keys) {
             return keys[i];
     return std::nullopt;
 }
+
+// Objects are walked with the parser's iterators: its pairs of key and value are slow to make.
 
 // The first key that stands twice in an object, anywhere below `value`: its tokens are put in
 // front of `place`. Which of the two values counts would depend on the reader. `open` holds the
@@ -90,10 +91,12 @@ bool find_repeated_key(dom::element value, std::vector<std::string_view>& open,
     }
     if (!value.is_object()) return false;
     const std::size_t first = open.size();
-    for (const auto& [key, item] : dom::object(value)) {
-        open.push_back(key);
+    const dom::object object(value);
+    for (auto member = object.begin(), end = object.end(); member != end; ++member) {
+        open.push_back(member.key());
+        const dom::element item = member.value();
         if (!is_compound(item) || !find_repeated_key(item, open, place)) continue;
-        place = fmt::format("/{}{}", escaped(key), place);
+        place = fmt::format("/{}{}", escaped(member.key()), place);
         return true;
     }
     const auto twice = find_twice(std::span(open).subspan(first));
@@ -108,24 +111,16 @@ void count_extensions(dom::element value, std::map<std::string_view, std::size_t
         for (const dom::element item : dom::array(value))
             if (is_compound(item)) count_extensions(item, uses);
     if (!value.is_object()) return;
-    for (const auto& [key, item] : dom::object(value)) {
+    const dom::object object(value);
+    for (auto member = object.begin(), end = object.end(); member != end; ++member) {
+        const std::string_view key = member.key();
+        const dom::element item = member.value();
         if (!is_compound(item) || key == "extras") continue;
         if (key == "extensions" && item.is_object())
             for (const auto& [name, extension] : dom::object(item))
                 ++uses[name];
         count_extensions(item, uses);
     }
-}
-
-// The parser's tables, filled from their beginnings and then larger than the text.
-simdjson::error_code allocate(dom::parser& parser, std::size_t text_size) {
-    if (const auto error = parser.allocate(text_size, kMaxJsonDepth)) return error;
-    if (const auto error = parser.doc.allocate(text_size)) return error;
-    prefer_huge_pages(parser.doc.tape.get(), text_size * sizeof(std::uint64_t));
-    prefer_huge_pages(parser.doc.string_buf.get(), text_size);
-    prefer_huge_pages(parser.implementation->structural_indexes.get(),
-                      text_size * sizeof(std::uint32_t));
-    return simdjson::SUCCESS;
 }
 
 }  // namespace
@@ -175,7 +170,7 @@ tl::unexpected<Error> Json::mistyped(std::string place, std::string_view expecte
                     fmt::format("expected {}, found {}", expected, type_name(found.type())));
 }
 
-std::optional<dom::element> Json::find(std::string_view key) const {
+std::optional<dom::element> Json::look_up(std::string_view key) const {
     dom::element found;
     if (value_.at_key(key).get(found) != simdjson::SUCCESS) return std::nullopt;
     return found;
@@ -189,8 +184,12 @@ Result<std::optional<dom::array>> Json::array(std::string_view key) const {
     return values;
 }
 
-Result<void> Json::check_object() const {
+Result<void> Json::check_object() {
     if (!value_.is_object()) return mistyped(place(), "an object", value_);
+    key_bits_ = 0;
+    const dom::object object(value_);
+    for (auto member = object.begin(), end = object.end(); member != end; ++member)
+        key_bits_ |= bit_of(member.key());
     const auto extensions = find("extensions");
     if (!extensions) return {};
     if (!extensions->is_object()) return mistyped(place_of("extensions"), "an object", *extensions);
@@ -233,14 +232,14 @@ Result<std::vector<Json>> Json::objects(std::string_view key) const {
 }
 
 Result<std::size_t> Json::count(std::string_view key) const {
-    HM_TRY_ASSIGN(const auto values, array(key));
+    HM_TRY_ASSIGN(const auto& values, array(key));
     if (!values) return std::size_t{0};
     // The parser's own number stops at 2^24 - 1.
     return static_cast<std::size_t>(std::distance(values->begin(), values->end()));
 }
 
 Result<std::vector<std::string_view>> Json::texts(std::string_view key) const {
-    HM_TRY_ASSIGN(const auto values, array(key));
+    HM_TRY_ASSIGN(const auto& values, array(key));
     std::vector<std::string_view> out;
     if (!values) return out;
     for (const dom::element value : *values) {
@@ -269,12 +268,14 @@ Result<std::optional<std::string_view>> Json::text(std::string_view key) const {
 }
 
 Result<std::string> Json::name() const {
-    HM_TRY_ASSIGN(const auto value, text("name"));
+    HM_TRY_ASSIGN(const auto& value, text("name"));
     return std::string(value.value_or(""));
 }
 
 template <class Place>
 Result<std::uint64_t> Json::to_integer(dom::element value, const Place& place) const {
+    std::uint64_t whole = 0;
+    if (value.get(whole) == simdjson::SUCCESS && whole <= std::uint64_t(kMaxInteger)) return whole;
     double number = 0;
     if (value.get(number) != simdjson::SUCCESS) return mistyped(place(), "an integer", value);
     if (number < 0 || number > kMaxInteger || number != std::floor(number))
@@ -301,16 +302,17 @@ Result<std::optional<std::uint64_t>> Json::integer(std::string_view key) const {
 
 Result<std::optional<std::size_t>> Json::index(std::string_view key, std::size_t count,
                                                std::string_view what) const {
-    HM_TRY_ASSIGN(const auto value, integer(key));
-    if (!value) return std::nullopt;
-    if (*value >= count)
-        return invalid(key, fmt::format("{} is past the end of the {} {}", *value, count, what));
-    return static_cast<std::size_t>(*value);
+    const auto found = find(key);
+    if (!found) return std::nullopt;
+    HM_TRY_ASSIGN(const std::uint64_t value, to_integer(*found, [&] { return place_of(key); }));
+    if (value >= count)
+        return invalid(key, fmt::format("{} is past the end of the {} {}", value, count, what));
+    return static_cast<std::size_t>(value);
 }
 
 Result<std::vector<std::size_t>> Json::indices(std::string_view key, std::size_t count,
                                                std::string_view what) const {
-    HM_TRY_ASSIGN(const auto values, array(key));
+    HM_TRY_ASSIGN(const auto& values, array(key));
     std::vector<std::size_t> out;
     if (!values) return out;
     for (const dom::element value : *values) {
@@ -331,12 +333,12 @@ Result<std::optional<float>> Json::number(std::string_view key) const {
 }
 
 Result<float> Json::number_or(std::string_view key, float fallback) const {
-    HM_TRY_ASSIGN(const auto value, number(key));
+    HM_TRY_ASSIGN(const auto& value, number(key));
     return value.value_or(fallback);
 }
 
 Result<std::vector<float>> Json::number_list(std::string_view key) const {
-    HM_TRY_ASSIGN(const auto values, array(key));
+    HM_TRY_ASSIGN(const auto& values, array(key));
     std::vector<float> out;
     if (!values) return out;
     for (const dom::element value : *values) {
@@ -348,7 +350,7 @@ Result<std::vector<float>> Json::number_list(std::string_view key) const {
 }
 
 Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
-    HM_TRY_ASSIGN(const auto values, array(key));
+    HM_TRY_ASSIGN(const auto& values, array(key));
     if (!values) return false;
     if (values->size() != out.size())
         return invalid(key,
@@ -374,7 +376,7 @@ Result<Json> parse_json(dom::parser& parser, std::span<const std::byte> text,
         return reject("is UTF-16 text; glTF is UTF-8");
 
     if (text.empty()) return reject("is empty");
-    simdjson::error_code status = allocate(parser, text.size());
+    simdjson::error_code status = parser.allocate(text.size(), kMaxJsonDepth);
     dom::element root;
     if (status == simdjson::SUCCESS)
         // Where the text can't have the padding that simdjson reads past its end, a copy has it.

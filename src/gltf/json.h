@@ -82,9 +82,18 @@ class Json {
   private:
     static constexpr std::size_t kNoElement = ~std::size_t{0};
 
-    std::optional<simdjson::dom::element> find(std::string_view key) const;
+    // A bit that tells most keys apart.
+    static constexpr std::uint64_t bit_of(std::string_view key) {
+        const std::size_t first = key.empty() ? 0 : static_cast<unsigned char>(key[0]);
+        return std::uint64_t{1} << ((first + 5 * key.size()) % 64);
+    }
+    std::optional<simdjson::dom::element> find(std::string_view key) const {
+        if ((key_bits_ & bit_of(key)) == 0) return std::nullopt;
+        return look_up(key);
+    }
+    std::optional<simdjson::dom::element> look_up(std::string_view key) const;
     Result<std::optional<simdjson::dom::array>> array(std::string_view key) const;
-    Result<void> check_object() const;
+    Result<void> check_object();  // and note its keys' bits
     tl::unexpected<Error> mistyped(std::string place, std::string_view expected,
                                    simdjson::dom::element found) const;
     // `place` is a function: texts are made only where something is wrong.
@@ -97,6 +106,8 @@ class Json {
     std::string place_;
     std::size_t index_;  // joined to the place where somebody asks: most values are never named
     const std::string* file_;
+    // Of the object's keys, or all: most properties that are asked for are absent.
+    std::uint64_t key_bits_ = ~std::uint64_t{0};
 };
 
 template <class Visit>
@@ -106,7 +117,7 @@ Result<void> Json::for_each_object(std::string_view key, const Visit& visit) con
     const std::string place = place_of(key);
     std::size_t i = 0;
     for (const simdjson::dom::element value : *values) {
-        const Json item(value, place, file_, i++);
+        Json item(value, place, file_, i++);
         HM_TRY(item.check_object());
         HM_TRY(visit(item));
     }

@@ -85,7 +85,7 @@ Result<Scene> load_gltf(const std::filesystem::path& path, Diagnostics& diagnost
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
     const gltf::Budget whole = gltf::make_budget(gltf::memory_limit(options), 0);
     if (!unknown) HM_TRY(gltf::check_memory(whole, size, path.string(), ""));
-    HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
+    HM_TRY_ASSIGN(const ByteArray bytes, read_file(path));
     return load_gltf_bytes(bytes, path, diagnostics, options);
 }
 

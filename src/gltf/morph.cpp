@@ -56,7 +56,7 @@ bool has_type(const Accessor& accessor, std::string_view key, ElementType type, 
 // One attribute's accessor, checked against the primitive's own.
 Result<std::optional<std::size_t>> TargetReader::find(std::string_view key, ElementType type,
                                                       Encoding encoding) {
-    HM_TRY_ASSIGN(const auto index, target.index(key, source.accessors.size(), "accessors"));
+    HM_TRY_ASSIGN(const auto& index, target.index(key, source.accessors.size(), "accessors"));
     if (!index) return std::nullopt;
     if (!base.has(key)) return target.invalid(key, "the primitive itself has no such attribute");
     const Accessor& accessor = source.accessors[*index];
@@ -73,7 +73,7 @@ Result<std::optional<std::size_t>> TargetReader::find(std::string_view key, Elem
 template <class T>
 Result<void> TargetReader::read(std::string_view key, ElementType type, Encoding encoding,
                                 std::vector<Delta<T>>& out) {
-    HM_TRY_ASSIGN(const auto index, find(key, type, encoding));
+    HM_TRY_ASSIGN(const auto& index, find(key, type, encoding));
     if (!index) return {};
     HM_TRY(take_work(target, source, std::uint64_t{count} * (sizeof(T) + sizeof(Delta<T>))));
     HM_TRY_ASSIGN(const std::vector<float> values, read_floats(source, *index));

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <span>
 
-#include "base/memory.h"
 #include "gltf/budget.h"
 #include "gltf/mesh_instancing.h"
 #include "gltf/morph.h"
@@ -40,7 +39,7 @@ tl::unexpected<Error> broken(const Source& source, int node, std::string message
 
 // KHR_node_visibility; whether the node's ancestors are visible is another matter.
 Result<bool> read_visible(const Json& item) {
-    HM_TRY_ASSIGN(const auto extension, item.extension("KHR_node_visibility"));
+    HM_TRY_ASSIGN(const auto& extension, item.extension("KHR_node_visibility"));
     if (!extension || !extension->has("visible")) return true;
     return extension->flag("visible");
 }
@@ -52,7 +51,7 @@ Result<void> read_extensions(const Json& item, Source& source, const Scene& scen
         source.warn(item.place(), "instances of no mesh or of a skinned one are not drawn");
         out.instances.clear();
     }
-    HM_TRY_ASSIGN(const auto lights, item.extension("KHR_lights_punctual"));
+    HM_TRY_ASSIGN(const auto& lights, item.extension("KHR_lights_punctual"));
     if (!lights) return {};
     HM_TRY_ASSIGN(const std::size_t light,
                   lights->required("light", lights->index("light", scene.lights.size(), "lights")));
@@ -65,11 +64,11 @@ Result<void> read_node(const Json& item, Source& source, std::size_t skin_count,
                        Node& out) {
     HM_TRY_ASSIGN(out.name, item.name());
     HM_TRY(read_transform(item, out));
-    HM_TRY_ASSIGN(const auto mesh, item.index("mesh", scene.meshes.size(), "meshes"));
-    HM_TRY_ASSIGN(const auto skin, item.index("skin", skin_count, "skins"));
+    HM_TRY_ASSIGN(const auto& mesh, item.index("mesh", scene.meshes.size(), "meshes"));
+    HM_TRY_ASSIGN(const auto& skin, item.index("skin", skin_count, "skins"));
     if (skin && !mesh) return item.invalid("skin", "a node without a mesh has no skin");
     HM_TRY_ASSIGN(out.weights, read_weights(item, mesh ? scene.meshes[*mesh].weights.size() : 0));
-    HM_TRY_ASSIGN(const auto camera, item.index("camera", scene.cameras.size(), "cameras"));
+    HM_TRY_ASSIGN(const auto& camera, item.index("camera", scene.cameras.size(), "cameras"));
     out.mesh = to_int(mesh);
     out.skin = to_int(skin);
     out.camera = to_int(camera);
@@ -109,7 +108,7 @@ Result<Hierarchy> read_hierarchy(const Json& root, const Source& source, std::si
     nodes.parents.resize(count, kUnset);
     nodes.child_ends.reserve(count + 1);
     HM_TRY(root.for_each_object("nodes", [&](const Json& item) -> Result<void> {
-        HM_TRY_ASSIGN(const auto children, item.indices("children", count, "nodes"));
+        HM_TRY_ASSIGN(const auto& children, item.indices("children", count, "nodes"));
         for (const std::size_t child : children)
             nodes.children.push_back(static_cast<int>(child));
         nodes.child_ends.push_back(nodes.children.size());
@@ -151,7 +150,7 @@ Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
     HM_TRY_ASSIGN(const std::vector<Json> scenes, root.objects("scenes"));
     for (const Json& scene : scenes)
         HM_TRY(scene.name());
-    HM_TRY_ASSIGN(const auto named, root.index("scene", scenes.size(), "scenes"));
+    HM_TRY_ASSIGN(const auto& named, root.index("scene", scenes.size(), "scenes"));
     std::size_t chosen = named.value_or(0);
     if (!source.options.scene.empty()) {
         HM_TRY_ASSIGN(chosen, find_scene(root, scenes, source.options.scene));
@@ -230,12 +229,10 @@ Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& sce
     constexpr std::size_t kLinks = 2 * sizeof(std::size_t) + 4 * sizeof(int);
     HM_TRY(take_memory(root, source, count * (sizeof(Node) + kLinks)));
     HM_TRY_ASSIGN(const Hierarchy hierarchy, read_hierarchy(root, source, count));
-    HM_TRY_ASSIGN(const auto roots, choose_roots(root, source, hierarchy));
+    HM_TRY_ASSIGN(const auto& roots, choose_roots(root, source, hierarchy));
     std::vector<int> scene_node = number_nodes(hierarchy, roots);
     const auto shown =
         count - std::size_t(std::count(scene_node.begin(), scene_node.end(), kUnset));
-    scene.nodes.reserve(shown);
-    prefer_huge_pages(scene.nodes.data(), shown * sizeof(Node));
     scene.nodes.resize(shown);
     Node elsewhere;  // one that is not shown, and valid all the same
     int index = 0;

@@ -78,7 +78,7 @@ struct Source {
     Diagnostics& diagnostics;
     LoadOptions options{};
     std::optional<std::span<const std::byte>> binary{};  // GLB's BIN chunk
-    std::vector<std::vector<std::byte>> storage{};       // external and data URI buffers
+    std::vector<ByteArray> storage{};                    // external and data URI buffers
     std::vector<Buffer> buffers{};
     std::vector<BufferView> views{};
     std::vector<Accessor> accessors{};
@@ -106,6 +106,6 @@ Result<std::span<const std::byte>> view_bytes(const Source& source, std::size_t 
 
 // The bytes a URI names, wherever they are, taken from the budget. `owner` is the buffer or image
 // with a "uri" property.
-Result<std::vector<std::byte>> read_uri(Source& source, const Json& owner, std::string_view uri);
+Result<ByteArray> read_uri(Source& source, const Json& owner, std::string_view uri);
 
 }  // namespace hm::gltf

@@ -75,7 +75,7 @@ Result<void> count_tables(const Json& root, FileCounts& counts) {
 
 Result<FileSummary> read_summary(const std::filesystem::path& path) {
     const std::string file = path.string();
-    HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
+    HM_TRY_ASSIGN(const ByteArray bytes, read_file(path));
     Diagnostics unheard;  // load_gltf repeats them
     HM_TRY_ASSIGN(const gltf::Container container, gltf::split_container(bytes, file, unheard));
     simdjson::dom::parser parser;

@@ -16,8 +16,8 @@ Result<glm::mat4> read_matrix(const Json& node) {
 
 template <class Vector>
 Result<void> read_vector(const Json& node, std::string_view key, Vector& out) {
-    return node.numbers(key, std::span<float>(&out[0], std::size_t(Vector::length())))
-        .map([](bool) {});
+    HM_TRY(node.numbers(key, std::span<float>(&out[0], std::size_t(Vector::length()))));
+    return {};
 }
 
 }  // namespace
@@ -44,13 +44,12 @@ Result<void> read_transform(const Json& json, Node& node) {
         HM_TRY_ASSIGN(node.local, read_matrix(json));
         return {};
     }
-    Transform rest;
+    Transform& rest = node.rest.emplace();
     HM_TRY(read_vector(json, "translation", rest.translation));
     HM_TRY(read_vector(json, "scale", rest.scale));
     HM_TRY(read_vector(json, "rotation", rest.rotation));
     if (rest.rotation == vec4(0))
         return json.invalid("rotation", "a zero quaternion is no rotation");
-    node.rest = rest;
     node.local = to_matrix(rest);
     return {};
 }

@@ -47,12 +47,12 @@ tl::unexpected<std::string> refuse(const char* message) {
     return tl::unexpected<std::string>(message);
 }
 
-UriResult<std::vector<std::byte>> decode_base64(std::string_view text) {
+UriResult<ByteArray> decode_base64(std::string_view text) {
     if (text.size() % 4 != 0) return refuse("its base64 length is not a multiple of 4");
     std::size_t padding = 0;
     while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=')
         ++padding;
-    std::vector<std::byte> bytes;
+    ByteArray bytes;
     bytes.reserve(text.size() / 4 * 3);
     std::uint32_t group = 0;
     const std::size_t digits = text.size() - padding;
@@ -91,7 +91,7 @@ bool is_data_uri(std::string_view uri) {
     return equal_ignoring_case(uri.substr(0, 5), "data:");
 }
 
-UriResult<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
+UriResult<ByteArray> decode_data_uri(std::string_view uri) {
     const std::size_t comma = uri.find(',');
     if (comma == std::string_view::npos) return refuse("data URI without a comma");
     constexpr std::string_view kMarker = ";base64";

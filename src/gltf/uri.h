@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
-#include <vector>
+
+#include "base/memory.h"
 
 namespace hm::gltf {
 
@@ -17,7 +18,7 @@ using UriResult = tl::expected<T, std::string>;
 bool is_data_uri(std::string_view uri);
 
 // The bytes of a base64 data URI. Strict: no white space, padding as RFC 4648 has it.
-UriResult<std::vector<std::byte>> decode_data_uri(std::string_view uri);
+UriResult<ByteArray> decode_data_uri(std::string_view uri);
 
 // The media type of a data URI, as written; empty where there is none.
 std::string_view media_type(std::string_view data_uri);

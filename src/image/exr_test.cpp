@@ -99,8 +99,8 @@ struct ChannelSpec {
     Imf::PixelType type;
 };
 
-std::vector<std::byte> make_file(const std::vector<ChannelSpec>& channels, Imath::Box2i window,
-                                 Imf::Compression compression, bool tiled) {
+ByteArray make_file(const std::vector<ChannelSpec>& channels, Imath::Box2i window,
+                    Imf::Compression compression, bool tiled) {
     const Folder folder;
     const auto path = folder / "made.exr";
     Imf::Header header(Imath::Box2i({0, 0}, {639, 479}), window);
@@ -140,7 +140,7 @@ std::vector<std::byte> make_file(const std::vector<ChannelSpec>& channels, Imath
 }
 
 // Component c of every pixel is channel `source[c]` of make_file; -1 stands for one.
-void expect_channels(const std::vector<std::byte>& bytes, std::size_t width, std::size_t height,
+void expect_channels(const ByteArray& bytes, std::size_t width, std::size_t height,
                      std::array<int, 4> source) {
     const Image image = read_whole(bytes);
     ASSERT_EQ(image.width, width);
@@ -217,7 +217,7 @@ TEST(Exr, HeaderThatLiesIsRefused) {
     };
     const auto expect_refusal = [&](std::size_t at, std::initializer_list<std::int32_t> numbers,
                                     const char* why) {
-        std::vector<std::byte> bytes = good;
+        ByteArray bytes = good;
         for (const std::int32_t number : numbers) {
             std::memcpy(&bytes[at], &number, 4);
             at += 4;

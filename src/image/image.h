@@ -3,7 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include "base/memory.h"
 
 namespace hm {
 
@@ -21,7 +22,7 @@ struct Image {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     PixelFormat format = PixelFormat::rgba8;
-    std::vector<std::byte> pixels;  // width * height * bytes_per_pixel(format)
+    ByteArray pixels;  // width * height * bytes_per_pixel(format)
 };
 
 }  // namespace hm

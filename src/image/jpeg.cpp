@@ -4,6 +4,7 @@
 
 #include <csetjmp>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -114,7 +115,7 @@ bool Decoder::finish() {
 
 // In place; both have four bytes a pixel. Adobe's programs store the inks inverted and say so by
 // their marker.
-void cmyk_to_rgba(std::vector<std::byte>& pixels, bool inverted) {
+void cmyk_to_rgba(std::span<std::byte> pixels, bool inverted) {
     for (std::size_t i = 0; i < pixels.size(); i += 4) {
         const auto light = [&](std::size_t c) {  // what the ink lets through, 0..255
             const auto stored = std::to_integer<unsigned>(pixels[i + c]);

@@ -78,7 +78,7 @@ Result<void> write_layers(const std::filesystem::path& path, const LayeredImage&
 }
 
 Result<LayeredImage> read_layers(const std::filesystem::path& path) {
-    HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
+    HM_TRY_ASSIGN(const ByteArray bytes, read_file(path));
     return decode_layers(bytes, path.string());
 }
 

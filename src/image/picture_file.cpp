@@ -28,7 +28,7 @@ std::vector<float> over_black(const Image& image) {
 }  // namespace
 
 Result<PictureFile> read_picture_file(const std::filesystem::path& path) {
-    HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
+    HM_TRY_ASSIGN(const ByteArray bytes, read_file(path));
     PictureFile file;
     if (file_format(bytes) == FileFormat::exr) {
         HM_TRY_ASSIGN(file.picture, decode_layers(bytes, path.string()));

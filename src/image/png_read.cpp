@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
-#include "base/memory.h"
 #include "image/big_endian.h"
 #include "image/codecs.h"
 #include "image/wuffs.h"
@@ -28,12 +28,12 @@ tl::unexpected<Error> refuse(std::string_view name, wuffs_base__status status) {
     return refuse(name, std::string(message));
 }
 
-wuffs_base__slice_u8 slice(std::vector<std::byte>& bytes) {
+wuffs_base__slice_u8 slice(std::span<std::byte> bytes) {
     return wuffs_base__make_slice_u8(reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size());
 }
 
-// To be read only: Wuffs has no slices of constant bytes.
-wuffs_base__slice_u8 slice(Bytes bytes) {
+// Wuffs has no slices of constant bytes.
+wuffs_base__slice_u8 read_only(Bytes bytes) {
     auto* first = reinterpret_cast<std::uint8_t*>(const_cast<std::byte*>(bytes.data()));
     return wuffs_base__make_slice_u8(first, bytes.size());
 }
@@ -41,7 +41,7 @@ wuffs_base__slice_u8 slice(Bytes bytes) {
 std::uint32_t checksum(Bytes bytes) {
     const wuffs_crc32__ieee_hasher::unique_ptr hasher = wuffs_crc32__ieee_hasher::alloc();
     if (!hasher) throw std::bad_alloc();
-    return hasher->update_u32(slice(bytes));
+    return hasher->update_u32(read_only(bytes));
 }
 
 struct Chunk {
@@ -69,6 +69,7 @@ std::optional<Chunk> next_chunk(Bytes& rest) {
 struct Header {
     std::uint64_t depth = 0;
     std::uint64_t color_type = 0;
+    bool interlaced = false;
     Bytes transparent;               // the contents of tRNS
     std::size_t animation_type = 0;  // where acTL has its type; 0 without
 };
@@ -77,11 +78,13 @@ constexpr std::uint64_t kGrey = 0, kTruecolour = 2;
 
 // Fails where a chunk that the decoder passes over is damaged; leaves other faults to the decoder.
 Result<Header> read_header(Bytes png, std::string_view name) {
-    constexpr std::size_t kSignature = 8, kDepth = 24, kColorType = 25;  // IHDR is first (5.6)
+    constexpr std::size_t kSignature = 8, kDepth = 24, kColorType = 25,
+                          kInterlace = 28;  // IHDR is first (5.6)
     Header header;
-    if (png.size() <= kColorType) return header;
+    if (png.size() <= kInterlace) return header;
     header.depth = big_endian(png.subspan(kDepth, 1));
     header.color_type = big_endian(png.subspan(kColorType, 1));
+    header.interlaced = png[kInterlace] != std::byte(0);
     Bytes rest = png.subspan(kSignature);
     while (const std::optional<Chunk> chunk = next_chunk(rest)) {
         if (!chunk->intact) return refuse(name, "bad checksum");
@@ -98,16 +101,8 @@ std::uint64_t bits_per_pixel(const Header& header) {
     return kChannels[header.color_type] * header.depth;
 }
 
-std::vector<std::byte> take_memory(std::uint64_t bytes) {
-    std::vector<std::byte> memory;
-    memory.reserve(bytes);
-    prefer_huge_pages(memory.data(), memory.capacity());
-    memory.resize(bytes);
-    return memory;
-}
-
 // Of 16 bits the decoder writes no other order.
-void exchange_red_and_blue(std::vector<std::byte>& pixels) {
+void exchange_red_and_blue(std::span<std::byte> pixels) {
     auto* numbers = reinterpret_cast<std::uint16_t*>(pixels.data());
     for (std::size_t i = 0; i < pixels.size() / 2; i += 4)
         std::swap(numbers[i], numbers[i + 2]);
@@ -132,19 +127,38 @@ void restore_transparent_colour(const Header& header, Image& image) {
         if (pixel[3] == 0) std::copy(color, color + 3, pixel);
 }
 
+// Where rows as the file stores them may begin in the memory that their pixels come to fill. Row
+// y's pixels, written once it is read, must end before it begins: the next row's filter reads it
+// again. That holds for all rows where it does for the first and the last one.
+std::uint64_t rows_begin(const Image& image, std::int64_t pixel_bytes, std::int64_t row_bytes) {
+    const std::int64_t pixel_row = pixel_bytes / image.height, row = row_bytes / image.height;
+    return std::uint64_t(std::max(pixel_row, pixel_bytes - (row_bytes - row)));
+}
+
 // Decodes the rows, then reads on to the end of the file to know that it is whole.
 wuffs_base__status decode_pixels(wuffs_png__decoder& decoder, wuffs_base__io_buffer& source,
-                                 wuffs_base__image_config config, Image& image) {
+                                 wuffs_base__image_config config, bool interlaced, Image& image) {
+    const std::uint64_t row_bytes = decoder.workbuf_len().min_incl;
+    const std::uint64_t pixel_bytes =
+        std::uint64_t(image.width) * image.height * bytes_per_pixel(image.format);
+    std::vector<std::byte> apart(interlaced ? row_bytes : 0);  // they are read out of order
+    const std::uint64_t begin =
+        rows_begin(image, std::int64_t(pixel_bytes), std::int64_t(row_bytes));
+    image.pixels.resize(interlaced ? pixel_bytes : begin + row_bytes);
+    const std::span memory = image.pixels;
+    const std::span rows = interlaced ? std::span(apart) : memory.subspan(begin);
+
     const std::uint32_t format = image.format == PixelFormat::rgba16
                                      ? WUFFS_BASE__PIXEL_FORMAT__BGRA_NONPREMUL_4X16LE
                                      : WUFFS_BASE__PIXEL_FORMAT__RGBA_NONPREMUL;
     config.pixcfg.set(format, WUFFS_BASE__PIXEL_SUBSAMPLING__NONE, image.width, image.height);
     wuffs_base__pixel_buffer pixels{};
-    wuffs_base__status status = pixels.set_from_slice(&config.pixcfg, slice(image.pixels));
+    wuffs_base__status status =
+        pixels.set_from_slice(&config.pixcfg, slice(memory.first(pixel_bytes)));
     if (!status.is_ok()) return status;
-    std::vector<std::byte> rows = take_memory(decoder.workbuf_len().min_incl);
     status =
         decoder.decode_frame(&pixels, &source, WUFFS_BASE__PIXEL_BLEND__SRC, slice(rows), nullptr);
+    image.pixels.resize(pixel_bytes);
     while (status.is_ok())
         status = decoder.decode_frame_config(nullptr, &source);
     if (status.repr == wuffs_base__note__end_of_data) return wuffs_base__make_status(nullptr);
@@ -165,7 +179,7 @@ Result<Image> decode_png(Bytes bytes, std::string_view name) {
     }
     const wuffs_png__decoder::unique_ptr decoder = wuffs_png__decoder::alloc();
     if (!decoder) throw std::bad_alloc();
-    wuffs_base__io_buffer source = wuffs_base__slice_u8__reader(slice(bytes), true);
+    wuffs_base__io_buffer source = wuffs_base__slice_u8__reader(read_only(bytes), true);
     wuffs_base__image_config config{};
     wuffs_base__status status = decoder->decode_image_config(&config, &source);
     if (!status.is_ok()) return refuse(name, status);
@@ -179,8 +193,7 @@ Result<Image> decode_png(Bytes bytes, std::string_view name) {
                                         width, height));
 
     Image image{width, height, header.depth == 16 ? PixelFormat::rgba16 : PixelFormat::rgba8, {}};
-    image.pixels = take_memory(pixels * bytes_per_pixel(image.format));
-    status = decode_pixels(*decoder, source, config, image);
+    status = decode_pixels(*decoder, source, config, header.interlaced, image);
     if (!status.is_ok()) return refuse(name, status);
     if (image.format == PixelFormat::rgba16) {
         exchange_red_and_blue(image.pixels);

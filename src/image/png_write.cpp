@@ -99,7 +99,7 @@ Result<std::vector<std::byte>> encode_png(const Image& image, bool alpha,
     if (status == SPNG_OK) {
         const std::vector<std::byte> packed =
             alpha ? std::vector<std::byte>() : without_alpha(image);
-        const std::vector<std::byte>& pixels = alpha ? image.pixels : packed;
+        const Bytes pixels = alpha ? Bytes(image.pixels) : Bytes(packed);
         status = spng_encode_image(context.get(), pixels.data(), pixels.size(), SPNG_FMT_PNG,
                                    SPNG_ENCODE_FINALIZE);
     }

@@ -17,7 +17,7 @@ namespace hm::testing_images {
 
 inline Image make_image(std::uint32_t width, std::uint32_t height, PixelFormat format) {
     return {width, height, format,
-            std::vector<std::byte>(std::size_t(width) * height * bytes_per_pixel(format))};
+            ByteArray(std::size_t(width) * height * bytes_per_pixel(format), std::byte(0))};
 }
 
 // Component `c` of pixel `i` in memory order.
@@ -53,10 +53,10 @@ class Folder {
     std::filesystem::path path_;
 };
 
-inline std::vector<std::byte> bytes_of_file(const std::filesystem::path& path) {
+inline ByteArray bytes_of_file(const std::filesystem::path& path) {
     auto bytes = read_file(path);
     EXPECT_TRUE(bytes) << bytes.error().line();
-    return bytes ? std::move(*bytes) : std::vector<std::byte>();
+    return bytes ? std::move(*bytes) : ByteArray();
 }
 
 inline Image read_whole(Bytes bytes) {

@@ -65,14 +65,14 @@ Result<PipelineCache> PipelineCache::open(Device& device, const fs::path& folder
                                           Diagnostics& diagnostics) {
     PipelineCache cache;
     cache.device_ = &device;
-    std::vector<std::byte> file;
+    ByteArray file;
     std::error_code ignored;
     if (!folder.empty()) {
         const PhysicalDevice& physical = device.physical();
         cache.file_ = folder / fmt::format("pipelines-{}-{}.bin", hex(physical.device_uuid),
                                            hex(physical.cache_uuid));
         if (fs::exists(cache.file_, ignored)) {
-            Result<std::vector<std::byte>> read = read_file(cache.file_);
+            Result<ByteArray> read = read_file(cache.file_);
             if (read)
                 file = std::move(*read);
             else

@@ -115,7 +115,7 @@ TEST_F(RhiPipeline, ADamagedCacheIsAWarningAndWrittenAnew) {
     PipelineCache first = value_of(PipelineCache::open(device(), folder(), diagnostics));
     const Scale scale(device(), &first);
     expect_ok(first.save());
-    std::vector<std::byte> bytes = value_of(read_file(first.file()));
+    ByteArray bytes = value_of(read_file(first.file()));
     bytes.back() ^= std::byte{1};
     expect_ok(write_file_atomically(first.file(), bytes));
 

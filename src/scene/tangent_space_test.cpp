@@ -23,7 +23,7 @@ struct TexturedMesh {
 
 class FixtureReader {
   public:
-    explicit FixtureReader(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
+    explicit FixtureReader(ByteArray bytes) : bytes_(std::move(bytes)) {}
 
     std::uint32_t number() {
         std::uint32_t value = 0;
@@ -48,7 +48,7 @@ class FixtureReader {
         std::memcpy(to, bytes_.data() + at_, size);
         at_ += size;
     }
-    std::vector<std::byte> bytes_;
+    ByteArray bytes_;
     std::size_t at_ = 0;
 };
 

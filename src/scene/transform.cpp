@@ -6,11 +6,12 @@ namespace hm {
 namespace {
 
 glm::dmat3 rotation_matrix(const vec4& rotation) {
-    const glm::dvec4 q = glm::dvec4(rotation) / glm::length(glm::dvec4(rotation));
+    const glm::dvec4 q(rotation);
+    const double two = 2 / glm::dot(q, q);  // of any length
     const double x = q.x, y = q.y, z = q.z, w = q.w;
-    return glm::dmat3(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w),
-                      2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
-                      2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y));
+    return glm::dmat3(1 - two * (y * y + z * z), two * (x * y + z * w), two * (x * z - y * w),
+                      two * (x * y - z * w), 1 - two * (x * x + z * z), two * (y * z + x * w),
+                      two * (x * z + y * w), two * (y * z - x * w), 1 - two * (x * x + y * y));
 }
 
 }  // namespace

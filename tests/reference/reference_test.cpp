@@ -31,7 +31,7 @@ std::filesystem::path data_folder() {
 
 std::vector<double> read_values(const std::string& name) {
     const std::filesystem::path path = data_folder() / (name + ".exr");
-    const Result<std::vector<std::byte>> bytes = read_file(path);
+    const Result<ByteArray> bytes = read_file(path);
     if (!bytes) throw std::runtime_error(path.string() + " can't be read");
     const Result<Image> image = read_image(*bytes, path.string());
     if (!image || image->format != PixelFormat::rgba32f || image->width != kReferenceWidth ||

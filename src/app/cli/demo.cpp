@@ -119,7 +119,7 @@ Result<Demo> find_demo(std::string_view name) {
         if (!is_name || !fs::exists(demo.scene, error)) continue;
         const fs::path beside = folder / fmt::format("{}.json", name);
         if (!fs::exists(beside, error)) return demo;
-        HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(beside));
+        HM_TRY_ASSIGN(const ByteArray bytes, read_file(beside));
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         HM_TRY_ASSIGN(demo.flags, parse_flags(text, beside.string()));
         for (auto& [flag, value] : demo.flags)

@@ -94,7 +94,7 @@ Result<EnvironmentChoice> choose_environment(const RenderOptions& options, const
         return EnvironmentChoice{
             make_environment(default_environment(), options.env_rotation, options.env_intensity),
             "default", ""};
-    HM_TRY_ASSIGN(const std::vector<std::byte> bytes, read_file(options.env));
+    HM_TRY_ASSIGN(const ByteArray bytes, read_file(options.env));
     HM_TRY_ASSIGN(const Image image, read_environment_image(bytes, options.env));
     Hasher hash;
     hash.add(bytes);
