@@ -88,6 +88,15 @@ Result<void> read_finite(const Source& source, std::size_t accessor, Target<floa
     return check_finite(source, accessor, {to.first, to.stride});
 }
 
+Result<void> check_values(const Source& source, std::size_t accessor) {
+    HM_TRY_ASSIGN(const std::vector<float> values, read_floats(source, accessor));
+    return check_finite(source, accessor, values);
+}
+
+bool has_extras(const Attributes& attributes) {
+    return (attributes.uv1 && attributes.uv1_is_read) || attributes.color;
+}
+
 Result<void> read_normals(std::size_t accessor, Source& source, Primitive& primitive) {
     std::vector<Vertex>& vertices = primitive.vertices;
     HM_TRY(read_floats_to(source, accessor, {&vertices[0].normal.x, kVertexStride}));
@@ -167,8 +176,8 @@ Result<std::optional<Attributes>> read_attributes(const Json& primitive, Source&
 }
 
 std::uint64_t vertex_bytes(const Attributes& attributes) {
-    const bool extras = attributes.uv1 || attributes.color;
-    return std::uint64_t{attributes.count} * (sizeof(Vertex) + (extras ? sizeof(VertexExtra) : 0));
+    return std::uint64_t{attributes.count} *
+           (sizeof(Vertex) + (has_extras(attributes) ? sizeof(VertexExtra) : 0));
 }
 
 Result<void> read_vertices(const Attributes& attributes, Source& source, Primitive& primitive) {
@@ -184,9 +193,10 @@ Result<void> read_vertices(const Attributes& attributes, Source& source, Primiti
     if (attributes.normal) HM_TRY(read_normals(*attributes.normal, source, primitive));
     if (attributes.tangent) HM_TRY(read_tangents(*attributes.tangent, source, primitive));
     if (attributes.uv0) HM_TRY(read_finite(source, *attributes.uv0, {&first.uv0.x, kVertexStride}));
-    if (!attributes.uv1 && !attributes.color) return {};
+    if (attributes.uv1 && !attributes.uv1_is_read) HM_TRY(check_values(source, *attributes.uv1));
+    if (!has_extras(attributes)) return {};
     primitive.extras.assign(attributes.count, VertexExtra{vec2(0), vec4(1)});
-    if (attributes.uv1)
+    if (attributes.uv1 && attributes.uv1_is_read)
         HM_TRY(read_finite(source, *attributes.uv1, {&primitive.extras[0].uv1.x, kExtraStride}));
     if (attributes.color) HM_TRY(read_colors(*attributes.color, source, primitive));
     return {};

@@ -23,12 +23,11 @@ std::uint64_t vertex_memory(const Primitive& primitive) {
 }
 
 // The vertices in drawing order; without an accessor simply all of them.
-Result<std::vector<std::uint32_t>> read_indices(const Json& json, Source& source,
-                                                std::uint32_t vertex_count) {
+Result<Indices> read_indices(const Json& json, Source& source, std::uint32_t vertex_count) {
     HM_TRY_ASSIGN(const auto index, json.index("indices", source.accessors.size(), "accessors"));
     if (!index) {
-        std::vector<std::uint32_t> all(vertex_count);
-        std::iota(all.begin(), all.end(), 0u);
+        Indices all(vertex_count);
+        std::iota(all.each().begin(), all.each().end(), 0u);
         return all;
     }
     const Accessor& accessor = source.accessors[*index];
@@ -42,16 +41,18 @@ Result<std::vector<std::uint32_t>> read_indices(const Json& json, Source& source
                                                    "byteStride, which is for vertex data only",
                                                    *index));
     HM_TRY(take_work(json, source, std::uint64_t{accessor.count} * sizeof(uvec3)));
-    HM_TRY_ASSIGN(std::vector<std::uint32_t> indices, read_integers(source, *index));
+    Indices indices(accessor.count);
+    const std::span<std::uint32_t> each = indices.each();
+    HM_TRY(read_integers_to(source, *index, {each.data(), 1}));
     // The primitive restart value is the type's largest, which no vertex may have: refused here
     // too.
-    const auto past = std::find_if(indices.begin(), indices.end(),
-                                   [&](std::uint32_t i) { return i >= vertex_count; });
-    if (past != indices.end())
+    const auto past =
+        std::find_if(each.begin(), each.end(), [&](std::uint32_t i) { return i >= vertex_count; });
+    if (past != each.end())
         return json.invalid("indices",
                             fmt::format("index {} (element {} of accessor {}) is past the end of "
                                         "the {} vertices",
-                                        *past, past - indices.begin(), *index, vertex_count));
+                                        *past, past - each.begin(), *index, vertex_count));
     return indices;
 }
 
@@ -81,6 +82,13 @@ void check_texture_coordinates(const Json& json, Source& source, const Material&
     }
 }
 
+bool reads_second_coordinates(const Material& material) {
+    const auto slots = texture_slots(material);
+    return std::any_of(slots.begin(), slots.end(), [](const TextureSlot* slot) {
+        return slot->image != kUnset && slot->uv_set == 1;
+    });
+}
+
 // What moves the vertices. `count` and `kept` as in read_targets.
 Result<void> read_deformation(const Json& json, Source& source, std::uint32_t count,
                               const std::vector<std::uint32_t>& kept, Primitive& primitive) {
@@ -101,17 +109,18 @@ Result<std::optional<Primitive>> read_primitive(const Json& json, Source& source
     Primitive primitive;
     HM_TRY_ASSIGN(const auto topology, read_topology(json, source));
     HM_TRY_ASSIGN(const auto material, read_material_index(json, source, materials.size()));
-    HM_TRY_ASSIGN(const std::optional<Attributes> attributes, read_attributes(json, source));
+    HM_TRY_ASSIGN(std::optional<Attributes> attributes, read_attributes(json, source));
     if (!topology || !attributes) return std::nullopt;
     if (material) {
         primitive.material = static_cast<int>(*material);
         check_texture_coordinates(json, source, materials[*material], *attributes);
     }
     HM_TRY(take_work(json, source, vertex_bytes(*attributes)));
-    HM_TRY_ASSIGN(const auto indices, read_indices(json, source, attributes->count));
-    if (topology == Topology::triangles ? indices.size() % 3 != 0 : indices.size() < 3)
+    attributes->uv1_is_read = material && reads_second_coordinates(materials[*material]);
+    HM_TRY_ASSIGN(Indices indices, read_indices(json, source, attributes->count));
+    if (topology == Topology::triangles ? indices.count % 3 != 0 : indices.count < 3)
         source.warn(json.place(), "vertices left over that complete no triangle");
-    primitive.triangles = make_triangles(*topology, indices);
+    primitive.triangles = make_triangles(*topology, std::move(indices));
     if (primitive.triangles.empty()) return std::nullopt;
     HM_TRY(read_vertices(*attributes, source, primitive));
     const std::vector<std::uint32_t> kept = drop_unused_vertices(primitive);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "gltf/test_files.h"
 #include "gltf/triangles.h"
@@ -18,6 +19,15 @@ const Primitive& first(const Loaded& loaded) {
     return loaded.scene->meshes.at(0).primitives.at(0);
 }
 
+// The same of a material whose texture reads the second coordinates.
+Overrides reading_uv1(const std::string& attributes) {
+    Overrides out = primitive(fmt::format(R"({{"material":0,"attributes":{}}})", attributes));
+    out["materials"] = R"([{"emissiveTexture":{"index":0,"texCoord":1}}])";
+    out["textures"] = R"([{"source":0}])";
+    out["images"] = fmt::format(R"([{{"uri":"data:image/png;base64,{}"}}])", kPng1);
+    return out;
+}
+
 // The base document with other content for one of its buffer's parts.
 Overrides with_bytes(std::size_t at, const std::string& bytes, const std::string& json) {
     Overrides out = primitive(json);
@@ -26,9 +36,9 @@ Overrides with_bytes(std::size_t at, const std::string& bytes, const std::string
 }
 
 TEST(Meshes, EveryAttribute) {
-    const Loaded loaded = load_text(
-        document(primitive(R"({"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":5,"TEXCOORD_0":2,
-                      "TEXCOORD_1":2,"COLOR_0":4,"_CUSTOM":3}})")));
+    const Loaded loaded =
+        load_text(document(reading_uv1(R"({"POSITION":0,"NORMAL":1,"TANGENT":5,"TEXCOORD_0":2,
+                      "TEXCOORD_1":2,"COLOR_0":4,"_CUSTOM":3})")));
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
     const Primitive& p = first(loaded);
     EXPECT_TRUE(p.has_normals && p.has_tangents);
@@ -43,7 +53,7 @@ TEST(Meshes, EveryAttribute) {
     EXPECT_TRUE(loaded.diagnostics.warnings().empty());
 }
 
-TEST(Meshes, ExtrasOnlyWhereGiven) {
+TEST(Meshes, ExtrasOnlyWhereGivenAndRead) {
     const Loaded colors =
         load_text(document(primitive(R"({"attributes":{"POSITION":0,"COLOR_0":0}})")));
     ASSERT_TRUE(colors.scene) << colors.scene.error().line();
@@ -54,11 +64,19 @@ TEST(Meshes, ExtrasOnlyWhereGiven) {
     EXPECT_FALSE(first(colors).has_normals);
     EXPECT_EQ(first(colors).vertices[0].normal, vec3(0));
 
-    const Loaded uv1 =
-        load_text(document(primitive(R"({"attributes":{"POSITION":0,"TEXCOORD_1":2}})")));
-    ASSERT_TRUE(uv1.scene);
+    const Loaded uv1 = load_text(document(reading_uv1(R"({"POSITION":0,"TEXCOORD_1":2})")));
+    ASSERT_TRUE(uv1.scene) << uv1.scene.error().line();
+    ASSERT_EQ(first(uv1).extras.size(), 3u);
     EXPECT_EQ(first(uv1).extras[1].color, vec4(1));
     EXPECT_EQ(first(uv1).extras[1].uv1, vec2(1, 0));
+
+    const std::string unread = R"({"attributes":{"POSITION":0,"TEXCOORD_1":2}})";
+    const Loaded without = load_text(document(primitive(unread)));
+    ASSERT_TRUE(without.scene) << without.scene.error().line();
+    EXPECT_TRUE(first(without).extras.empty());
+    const std::string nan = bytes_of(std::vector<float>{std::numeric_limits<float>::quiet_NaN()});
+    expect_refused({{"a NaN that nothing reads", with_bytes(72, nan, unread), "/accessors/2",
+                     "element 0 is not a number"}});
 }
 
 TEST(Meshes, NormalizedTextureCoordinates) {
@@ -81,15 +99,21 @@ TEST(Meshes, NormalizedTextureCoordinates) {
 TEST(Meshes, Topologies) {
     using gltf::make_triangles;
     using gltf::Topology;
-    const std::vector<std::uint32_t> five{4, 5, 6, 7, 8};
-    EXPECT_EQ(make_triangles(Topology::triangles, five), (std::vector<uvec3>{{4, 5, 6}}));
-    EXPECT_EQ(make_triangles(Topology::strip, five),
+    const auto from_4 = [](std::size_t count) {
+        gltf::Indices indices(count);
+        std::iota(indices.each().begin(), indices.each().end(), 4u);
+        return indices;
+    };
+    EXPECT_EQ(make_triangles(Topology::triangles, from_4(5)), (std::vector<uvec3>{{4, 5, 6}}));
+    EXPECT_EQ(make_triangles(Topology::triangles, from_4(6)),
+              (std::vector<uvec3>{{4, 5, 6}, {7, 8, 9}}));
+    EXPECT_EQ(make_triangles(Topology::strip, from_4(5)),
               (std::vector<uvec3>{{4, 5, 6}, {5, 7, 6}, {6, 7, 8}}));
-    EXPECT_EQ(make_triangles(Topology::fan, five),
+    EXPECT_EQ(make_triangles(Topology::fan, from_4(5)),
               (std::vector<uvec3>{{5, 6, 4}, {6, 7, 4}, {7, 8, 4}}));
     for (const Topology topology : {Topology::triangles, Topology::strip, Topology::fan}) {
-        EXPECT_TRUE(make_triangles(topology, {}).empty());
-        EXPECT_TRUE(make_triangles(topology, {1, 2}).empty());
+        EXPECT_TRUE(make_triangles(topology, from_4(0)).empty());
+        EXPECT_TRUE(make_triangles(topology, from_4(2)).empty());
     }
     for (const int mode : {4, 5, 6}) {
         const Loaded loaded = load_text(document(

@@ -102,6 +102,7 @@ Result<MorphTarget> read_target(TargetReader& reader, const Primitive& primitive
     HM_TRY(reader.read("TEXCOORD_1", ElementType::vec2, Encoding::other, out.uv1));
     HM_TRY(reader.read("COLOR_0", ElementType::vec4, Encoding::other, out.colors));
     if (!primitive.has_tangents) out.tangents.clear();
+    if (primitive.extras.empty()) out.uv1.clear();  // nothing reads them
     return out;
 }
 

@@ -2,21 +2,20 @@
 
 namespace hm::gltf {
 
-std::vector<uvec3> make_triangles(Topology topology, const std::vector<std::uint32_t>& indices) {
-    std::vector<uvec3> out;
-    if (indices.size() < 3) return out;
+std::vector<uvec3> make_triangles(Topology topology, Indices indices) {
     if (topology == Topology::triangles) {
-        out.reserve(indices.size() / 3);
-        for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-            out.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
-        return out;
+        indices.packed.resize(indices.count / 3);
+        return std::move(indices.packed);
     }
-    out.reserve(indices.size() - 2);
-    for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
+    std::vector<uvec3> out;
+    if (indices.count < 3) return out;
+    out.reserve(indices.count - 2);
+    const std::span<const std::uint32_t> each = indices.each();
+    for (std::size_t i = 0; i + 2 < each.size(); ++i) {
         if (topology == Topology::fan)
-            out.emplace_back(indices[i + 1], indices[i + 2], indices[0]);
+            out.emplace_back(each[i + 1], each[i + 2], each[0]);
         else  // every second triangle of a strip is turned around
-            out.emplace_back(indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]);
+            out.emplace_back(each[i], each[i + 1 + i % 2], each[i + 2 - i % 2]);
     }
     return out;
 }
