@@ -315,6 +315,7 @@ Result<std::vector<std::size_t>> Json::indices(std::string_view key, std::size_t
     HM_TRY_ASSIGN(const auto& values, array(key));
     std::vector<std::size_t> out;
     if (!values) return out;
+    out.reserve(values->size());
     for (const dom::element value : *values) {
         const auto here = [&] { return element_place(place_of(key), out.size()); };
         HM_TRY_ASSIGN(const std::uint64_t index, to_integer(value, here));

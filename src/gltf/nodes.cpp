@@ -15,12 +15,11 @@
 namespace hm::gltf {
 namespace {
 
-// How the file's nodes hang together, without the nodes themselves: they are read when it is known
-// where each one comes to stand.
+// How the file's nodes hang together.
 struct Hierarchy {
     std::vector<int> parents;  // kUnset for roots
     std::vector<int> children;
-    std::vector<std::size_t> child_ends{0};  // node i's children end at [i + 1], and begin at [i]
+    std::vector<std::uint32_t> child_ends{0};  // node i's children end at [i + 1], and begin at [i]
 
     std::size_t size() const { return parents.size(); }
     std::span<const int> children_of(std::size_t node) const {
@@ -103,17 +102,23 @@ Result<void> set_parents(const Source& source, Hierarchy& nodes) {
     return {};
 }
 
-Result<Hierarchy> read_hierarchy(const Json& root, const Source& source, std::size_t count) {
+// All of the file's nodes, into scene.nodes as they stand in the file.
+Result<Hierarchy> read_all(const Json& root, Source& source, std::size_t count, Scene& scene) {
+    HM_TRY_ASSIGN(const std::size_t skin_count, root.count("skins"));
     Hierarchy nodes;
     nodes.parents.resize(count, kUnset);
     nodes.child_ends.reserve(count + 1);
-    HM_TRY(root.for_each_object("nodes", [&](const Json& item) -> Result<void> {
+    scene.nodes.reserve(count);
+    const auto read_one = [&](const Json& item) -> Result<void> {
+        Node& node = scene.nodes.emplace_back();
+        node.index = static_cast<int>(scene.nodes.size()) - 1;
+        HM_TRY(read_node(item, source, skin_count, scene, node));
         HM_TRY_ASSIGN(const auto& children, item.indices("children", count, "nodes"));
-        for (const std::size_t child : children)
-            nodes.children.push_back(static_cast<int>(child));
-        nodes.child_ends.push_back(nodes.children.size());
+        nodes.children.insert(nodes.children.end(), children.begin(), children.end());
+        nodes.child_ends.push_back(static_cast<std::uint32_t>(nodes.children.size()));
         return {};
-    }));
+    };
+    HM_TRY(root.for_each_object("nodes", read_one));
     HM_TRY(set_parents(source, nodes));
     return nodes;
 }
@@ -189,6 +194,23 @@ std::vector<int> number_nodes(const Hierarchy& nodes, const std::vector<std::siz
     return scene_node;
 }
 
+// Puts each node where `scene_node` says, and drops those that are not shown. In place: there may
+// be millions.
+void arrange(std::vector<Node>& nodes, std::vector<int> scene_node) {
+    int next = static_cast<int>(
+        nodes.size() - std::size_t(std::count(scene_node.begin(), scene_node.end(), kUnset)));
+    const auto shown = static_cast<std::size_t>(next);
+    for (int& at : scene_node)
+        if (at == kUnset) at = next++;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        while (std::size_t(scene_node[i]) != i) {
+            const auto to = static_cast<std::size_t>(scene_node[i]);
+            std::swap(nodes[i], nodes[to]);
+            std::swap(scene_node[i], scene_node[to]);
+        }
+    nodes.resize(shown);
+}
+
 bool is_finite(const glm::mat4& m) {
     for (std::size_t c = 0; c < 4; ++c)
         for (std::size_t r = 0; r < 4; ++r)
@@ -225,25 +247,15 @@ Result<void> check_finite(const Source& source, const Scene& scene) {
 
 Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& scene) {
     HM_TRY_ASSIGN(const std::size_t count, root.count("nodes"));
-    HM_TRY_ASSIGN(const std::size_t skin_count, root.count("skins"));
     constexpr std::size_t kLinks = 2 * sizeof(std::size_t) + 4 * sizeof(int);
     HM_TRY(take_memory(root, source, count * (sizeof(Node) + kLinks)));
-    HM_TRY_ASSIGN(const Hierarchy hierarchy, read_hierarchy(root, source, count));
+    HM_TRY_ASSIGN(const Hierarchy hierarchy, read_all(root, source, count, scene));
     HM_TRY_ASSIGN(const auto& roots, choose_roots(root, source, hierarchy));
     std::vector<int> scene_node = number_nodes(hierarchy, roots);
-    const auto shown =
-        count - std::size_t(std::count(scene_node.begin(), scene_node.end(), kUnset));
-    scene.nodes.resize(shown);
-    Node elsewhere;  // one that is not shown, and valid all the same
-    int index = 0;
-    HM_TRY(root.for_each_object("nodes", [&](const Json& item) -> Result<void> {
-        const int at = scene_node[std::size_t(index)],
-                  parent = hierarchy.parents[std::size_t(index)];
-        Node& node = at == kUnset ? elsewhere : scene.nodes[std::size_t(at)];
-        node.index = index++;
-        if (parent != kUnset) node.parent = scene_node[std::size_t(parent)];
-        return read_node(item, source, skin_count, scene, node);
-    }));
+    for (std::size_t i = 0; i < count; ++i)
+        if (const int parent = hierarchy.parents[i]; parent != kUnset)
+            scene.nodes[i].parent = scene_node[std::size_t(parent)];
+    arrange(scene.nodes, scene_node);
     HM_TRY(check_finite(source, scene));
     return scene_node;
 }
