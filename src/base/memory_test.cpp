@@ -14,12 +14,24 @@
 namespace hm {
 namespace {
 
+std::uintptr_t past(const void* memory, std::size_t alignment) {
+    return reinterpret_cast<std::uintptr_t>(memory) % alignment;
+}
+
+#if defined(__linux__)
 TEST(Memory, LargeArraysBeginAtHugePages) {
+    struct alignas(64) Line {
+        std::byte bytes[64];
+    };
+    EXPECT_EQ(past(std::vector<std::byte>(kHugePage).data(), kHugePage), 0u);
+    EXPECT_EQ(past(std::vector<Line>(kHugePage / sizeof(Line)).data(), kHugePage), 0u);
+    EXPECT_EQ(past(std::vector<Line>(3).data(), alignof(Line)), 0u);
+}
+#endif
+
+TEST(Memory, LargeArraysAreWhole) {
     for (const std::size_t size : {kHugePage, kHugePage + 1, 5 * kHugePage + 123}) {
         const std::vector<std::byte> bytes(size, std::byte(0x5A));
-#if defined(__linux__)
-        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(bytes.data()) % kHugePage, 0u);
-#endif
         EXPECT_EQ(std::size_t(std::count(bytes.begin(), bytes.end(), std::byte(0x5A))), size);
     }
 }
