@@ -1,9 +1,6 @@
-// The program's operator new: large pieces of memory lie in huge pages.
-//
-// Filled for the first time in small pages, memory costs more than most things that are done with
-// it: the system hands out four megabytes in 1.8 ms, in huge pages in 0.14 ms. Random reads of it
-// wait for address translation too. What the allocator of the C library makes begins a few bytes
-// behind a page's beginning, so its first huge page is never one.
+// The program's operator new: large pieces of memory begin where a huge page may. Filled for the
+// first time in small pages, memory costs more than most things that are done with it
+// (docs/decisions/0012-memory-in-huge-pages.md).
 #include "base/memory.h"
 
 #if defined(__linux__)
