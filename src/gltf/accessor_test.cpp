@@ -230,7 +230,7 @@ TEST(Accessor, SharedDataIsBounded) {
         simdjson::dom::parser parser;
         Diagnostics diagnostics;
         const gltf::Json root =
-            gltf::parse_json(parser, std::as_bytes(std::span(text)), file).value();
+            gltf::parse_json(parser, std::as_bytes(std::span(text)), file).value().root;
         gltf::Source source{file, {}, diagnostics};
         source.budget.kept_bytes = text.size();
         EXPECT_TRUE(gltf::read_buffers(root, source));

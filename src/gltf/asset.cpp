@@ -46,8 +46,8 @@ Result<std::optional<Version>> read_version(const Json& asset, std::string_view 
 }
 
 // One warning for each, with how many objects have it.
-void warn_of_ignored(const Json& root, const std::vector<std::string_view>& used, Source& source) {
-    const auto uses = root.extension_uses();
+void warn_of_ignored(const ExtensionUses& uses, const std::vector<std::string_view>& used,
+                     Source& source) {
     std::set<std::string_view> listed;
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!listed.insert(used[i]).second || is_supported(used[i])) continue;
@@ -88,7 +88,8 @@ Result<void> check_asset(const Json& root) {
     return {};
 }
 
-Result<void> check_extensions(const Json& root, Source& source) {
+Result<void> check_extensions(const Document& document, Source& source) {
+    const Json& root = document.root;
     HM_TRY_ASSIGN(const auto required, root.texts("extensionsRequired"));
     std::string missing;
     for (const std::string_view name : required) {
@@ -101,7 +102,7 @@ Result<void> check_extensions(const Json& root, Source& source) {
                          fmt::format("required but not supported: {}", missing));
 
     HM_TRY_ASSIGN(const auto used, root.texts("extensionsUsed"));
-    warn_of_ignored(root, used, source);
+    warn_of_ignored(document.extension_uses, used, source);
     // Exporters forget to list it among those required.
     source.quantized = std::count(used.begin(), used.end(), kQuantization) > 0 ||
                        std::count(required.begin(), required.end(), kQuantization) > 0;

@@ -71,56 +71,63 @@ std::optional<std::string_view> find_twice(std::span<std::string_view> keys) {
     return std::nullopt;
 }
 
-// Objects are walked with the parser's iterators: its pairs of key and value are slow to make.
+// One walk over a whole document, for what has to be looked for everywhere.
+class Survey {
+  public:
+    explicit Survey(ExtensionUses& uses) : uses_(uses) {}
 
-// The first key that stands twice in an object, anywhere below `value`: its tokens are put in
-// front of `place`. Which of the two values counts would depend on the reader. `open` holds the
-// keys of the objects around, and is left as it was.
-bool find_repeated_key(dom::element value, std::vector<std::string_view>& open,
-                       std::string& place) {
-    if (value.is_array()) {
-        std::size_t i = 0;
-        for (const dom::element item : dom::array(value)) {
-            if (is_compound(item) && find_repeated_key(item, open, place)) {
-                place = fmt::format("/{}{}", i, place);
-                return true;
-            }
-            ++i;
+    // The JSON pointer to the first key that stands twice in its object, if there is one: which of
+    // the two values counts would depend on the reader.
+    std::optional<std::string> repeated_key(dom::element root) {
+        std::string place;
+        return visit(root, false, place) ? std::optional(place) : std::nullopt;
+    }
+
+  private:
+    // Whether a key stands twice in an object, anywhere below `value`, an array or an object: its
+    // tokens are put in front of `place`.
+    bool visit(dom::element value, bool in_extras, std::string& place) {
+        return value.is_array() ? visit_array(value, in_extras, place)
+                                : visit_object(value, in_extras, place);
+    }
+    bool visit_array(dom::array values, bool in_extras, std::string& place);
+    bool visit_object(dom::object object, bool in_extras, std::string& place);
+
+    ExtensionUses& uses_;
+    std::vector<std::string_view> open_;  // the keys of the objects around
+};
+
+bool Survey::visit_array(dom::array values, bool in_extras, std::string& place) {
+    std::size_t i = 0;
+    for (const dom::element item : values) {
+        if (is_compound(item) && visit(item, in_extras, place)) {
+            place = fmt::format("/{}{}", i, place);
+            return true;
         }
-        return false;
+        ++i;
     }
-    if (!value.is_object()) return false;
-    const std::size_t first = open.size();
-    const dom::object object(value);
-    for (auto member = object.begin(), end = object.end(); member != end; ++member) {
-        open.push_back(member.key());
-        const dom::element item = member.value();
-        if (!is_compound(item) || !find_repeated_key(item, open, place)) continue;
-        place = fmt::format("/{}{}", escaped(member.key()), place);
-        return true;
-    }
-    const auto twice = find_twice(std::span(open).subspan(first));
-    if (twice) place = fmt::format("/{}", escaped(*twice));
-    open.resize(first);
-    return twice.has_value();
+    return false;
 }
 
-// `value` is an array or an object.
-void count_extensions(dom::element value, std::map<std::string_view, std::size_t>& uses) {
-    if (value.is_array())
-        for (const dom::element item : dom::array(value))
-            if (is_compound(item)) count_extensions(item, uses);
-    if (!value.is_object()) return;
-    const dom::object object(value);
+bool Survey::visit_object(dom::object object, bool in_extras, std::string& place) {
+    const std::size_t first = open_.size();
+    // The parser's pairs of key and value are slow to make.
     for (auto member = object.begin(), end = object.end(); member != end; ++member) {
         const std::string_view key = member.key();
+        open_.push_back(key);
         const dom::element item = member.value();
-        if (!is_compound(item) || key == "extras") continue;
-        if (key == "extensions" && item.is_object())
+        if (!is_compound(item)) continue;
+        if (key == "extensions" && !in_extras && item.is_object())
             for (const auto& [name, extension] : dom::object(item))
-                ++uses[name];
-        count_extensions(item, uses);
+                ++uses_[name];
+        if (!visit(item, in_extras || key == "extras", place)) continue;
+        place = fmt::format("/{}{}", escaped(key), place);
+        return true;
     }
+    const auto twice = find_twice(std::span(open_).subspan(first));
+    if (twice) place = fmt::format("/{}", escaped(*twice));
+    open_.resize(first);
+    return twice.has_value();
 }
 
 }  // namespace
@@ -212,12 +219,6 @@ Result<std::optional<Json>> Json::extension(std::string_view name) const {
     HM_TRY_ASSIGN(const std::optional<Json> extensions, object("extensions"));
     if (!extensions) return std::nullopt;
     return extensions->object(name);
-}
-
-std::map<std::string_view, std::size_t> Json::extension_uses() const {
-    std::map<std::string_view, std::size_t> uses;
-    count_extensions(value_, uses);
-    return uses;
 }
 
 Result<std::vector<Json>> Json::objects(std::string_view key) const {
@@ -365,8 +366,8 @@ Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
     return true;
 }
 
-Result<Json> parse_json(dom::parser& parser, std::span<const std::byte> text,
-                        const std::string& file, std::size_t readable_behind) {
+Result<Document> parse_json(dom::parser& parser, std::span<const std::byte> text,
+                            const std::string& file, std::size_t readable_behind) {
     const auto reject = [&](std::string message) {
         return hm::fail(ExitCode::invalid, file, "", std::move(message));
     };
@@ -396,10 +397,10 @@ Result<Json> parse_json(dom::parser& parser, std::span<const std::byte> text,
     if (status != simdjson::SUCCESS)
         return reject(fmt::format("is not valid JSON: {}", simdjson::error_message(status)));
     if (!root.is_object()) return reject("is not a glTF file: its JSON is no object");
-    std::vector<std::string_view> open;
-    if (std::string place; find_repeated_key(root, open, place))
-        return hm::fail(ExitCode::invalid, file, place, "stands twice in its object");
-    return Json(root, "", &file);
+    ExtensionUses uses;
+    if (const auto place = Survey(uses).repeated_key(root))
+        return hm::fail(ExitCode::invalid, file, *place, "stands twice in its object");
+    return Document{Json(root, "", &file), std::move(uses)};
 }
 
 }  // namespace hm::gltf

@@ -43,8 +43,6 @@ class Json {
     // Of every object that is handed out, "extensions" is an object of objects where it is there.
     Result<std::optional<Json>> object(std::string_view key) const;
     Result<std::optional<Json>> extension(std::string_view name) const;
-    // How many objects, this one and all below it, have each extension. `extras` are left out.
-    std::map<std::string_view, std::size_t> extension_uses() const;
     // An array of objects, of strings; empty where absent.
     Result<std::vector<Json>> objects(std::string_view key) const;
     // The same one by one, for lists that are long: calls `visit` with each object, until it fails.
@@ -124,9 +122,17 @@ Result<void> Json::for_each_object(std::string_view key, const Visit& visit) con
     return {};
 }
 
+// How many objects have each extension. What stands in `extras` is left out.
+using ExtensionUses = std::map<std::string_view, std::size_t>;
+
+struct Document {
+    Json root;
+    ExtensionUses extension_uses;
+};
+
 // Parses a whole document; its root must be an object. Where enough bytes behind the text may be
 // read, whatever they are, it need not be copied.
-Result<Json> parse_json(simdjson::dom::parser& parser, std::span<const std::byte> text,
-                        const std::string& file, std::size_t readable_behind = 0);
+Result<Document> parse_json(simdjson::dom::parser& parser, std::span<const std::byte> text,
+                            const std::string& file, std::size_t readable_behind = 0);
 
 }  // namespace hm::gltf

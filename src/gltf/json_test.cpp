@@ -14,7 +14,8 @@ using gltf::Json;
 const std::string kFile = "file";
 
 Result<Json> parse(simdjson::dom::parser& parser, std::string_view text, std::size_t behind = 0) {
-    return gltf::parse_json(parser, std::as_bytes(std::span(text)), kFile, behind);
+    return gltf::parse_json(parser, std::as_bytes(std::span(text)), kFile, behind)
+        .map([](const gltf::Document& document) { return document.root; });
 }
 
 // The text is at the beginning of a longer one, and the parser may look at that.
@@ -65,6 +66,15 @@ TEST(Json, RepeatedKeysOfLongObjects) {
         ASSERT_FALSE(twice) << count;
         EXPECT_EQ(twice.error().place, "/a/1/key0");
     }
+}
+
+TEST(Json, ExtensionsAreCountedOutsideExtras) {
+    const std::string_view text = R"({"a":{"extensions":{"X":{"extensions":{"Y":{}}}}},
+        "b":[{"extensions":{"X":{}},"extras":{"extensions":{"Z":{}}}},{"extensions":1}]})";
+    simdjson::dom::parser parser;
+    const auto document = gltf::parse_json(parser, std::as_bytes(std::span(text)), kFile);
+    ASSERT_TRUE(document);
+    EXPECT_EQ(document->extension_uses, (gltf::ExtensionUses{{"X", 2}, {"Y", 1}}));
 }
 
 // The copy that the parser may make, and the strings again.

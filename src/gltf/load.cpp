@@ -47,10 +47,12 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     simdjson::dom::parser parser;
     const auto behind_json = bytes.last(
         bytes.size() - std::size_t(container.json.data() + container.json.size() - bytes.data()));
-    HM_TRY_ASSIGN(const Json root, parse_json(parser, container.json, file, behind_json.size()));
+    HM_TRY_ASSIGN(const Document document,
+                  parse_json(parser, container.json, file, behind_json.size()));
+    const Json& root = document.root;
     HM_TRY(check_asset(root));
 
-    HM_TRY(check_extensions(root, source));
+    HM_TRY(check_extensions(document, source));
     HM_TRY(choose_variant(root, source));
     HM_TRY(read_buffers(root, source));
     HM_TRY(read_buffer_views(root, source));

@@ -79,7 +79,8 @@ Result<FileSummary> read_summary(const std::filesystem::path& path) {
     Diagnostics unheard;  // load_gltf repeats them
     HM_TRY_ASSIGN(const gltf::Container container, gltf::split_container(bytes, file, unheard));
     simdjson::dom::parser parser;
-    HM_TRY_ASSIGN(const Json root, gltf::parse_json(parser, container.json, file));
+    HM_TRY_ASSIGN(const gltf::Document document, gltf::parse_json(parser, container.json, file));
+    const Json& root = document.root;
 
     FileSummary summary;
     summary.bytes = bytes.size();
