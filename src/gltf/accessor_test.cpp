@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gltf/document.h"
 #include "gltf/meshes.h"
 #include "gltf/source.h"
 #include "gltf/test_files.h"

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "gltf/json.h"
+#include "gltf/document.h"
 #include "gltf/source.h"
 
 namespace hm::gltf {

@@ -5,7 +5,6 @@
 #include <simdjson.h>
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,11 +15,11 @@
 
 namespace hm::gltf {
 
-// Nesting allowed in a file. Real ones stay below 20; `extras` may hold anything.
-inline constexpr std::size_t kMaxJsonDepth = 256;
-
 // Text from the file as part of a message: quoted and cut to a length fit for one line.
 std::string excerpt(std::string_view text);
+
+// A key as a token of a JSON pointer (RFC 6901, 3).
+std::string escaped(std::string_view key);
 
 class Json {
   public:
@@ -121,18 +120,5 @@ Result<void> Json::for_each_object(std::string_view key, const Visit& visit) con
     }
     return {};
 }
-
-// How many objects have each extension. What stands in `extras` is left out.
-using ExtensionUses = std::map<std::string_view, std::size_t>;
-
-struct Document {
-    Json root;
-    ExtensionUses extension_uses;
-};
-
-// Parses a whole document; its root must be an object. Where enough bytes behind the text may be
-// read, whatever they are, it need not be copied.
-Result<Document> parse_json(simdjson::dom::parser& parser, std::span<const std::byte> text,
-                            const std::string& file, std::size_t readable_behind = 0);
 
 }  // namespace hm::gltf

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "gltf/budget.h"
+#include "gltf/document.h"
 #include "gltf/test_files.h"
 
 namespace hm::gltf_test {

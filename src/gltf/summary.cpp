@@ -5,7 +5,7 @@
 #include "base/files.h"
 #include "gltf/asset.h"
 #include "gltf/container.h"
-#include "gltf/json.h"
+#include "gltf/document.h"
 
 namespace hm {
 namespace {

@@ -130,23 +130,24 @@ void restore_transparent_colour(const Header& header, Image& image) {
 // Where rows as the file stores them may begin in the memory that their pixels come to fill. Row
 // y's pixels, written once it is read, must end before it begins: the next row's filter reads it
 // again. That holds for all rows where it does for the first and the last one.
-std::uint64_t rows_begin(const Image& image, std::int64_t pixel_bytes, std::int64_t row_bytes) {
-    const std::int64_t pixel_row = pixel_bytes / image.height, row = row_bytes / image.height;
-    return std::uint64_t(std::max(pixel_row, pixel_bytes - (row_bytes - row)));
+std::uint64_t stored_begin(std::uint32_t rows, std::int64_t pixel_bytes,
+                           std::int64_t stored_bytes) {
+    const std::int64_t pixel_row = pixel_bytes / rows, stored_row = stored_bytes / rows;
+    return std::uint64_t(std::max(pixel_row, pixel_bytes - (stored_bytes - stored_row)));
 }
 
 // Decodes the rows, then reads on to the end of the file to know that it is whole.
 wuffs_base__status decode_pixels(wuffs_png__decoder& decoder, wuffs_base__io_buffer& source,
                                  wuffs_base__image_config config, bool interlaced, Image& image) {
-    const std::uint64_t row_bytes = decoder.workbuf_len().min_incl;
+    const std::uint64_t stored_bytes = decoder.workbuf_len().min_incl;
     const std::uint64_t pixel_bytes =
         std::uint64_t(image.width) * image.height * bytes_per_pixel(image.format);
-    std::vector<std::byte> apart(interlaced ? row_bytes : 0);  // they are read out of order
+    ByteArray apart(interlaced ? stored_bytes : 0);  // interlaced rows are read out of order
     const std::uint64_t begin =
-        rows_begin(image, std::int64_t(pixel_bytes), std::int64_t(row_bytes));
-    image.pixels.resize(interlaced ? pixel_bytes : begin + row_bytes);
+        stored_begin(image.height, std::int64_t(pixel_bytes), std::int64_t(stored_bytes));
+    image.pixels.resize(interlaced ? pixel_bytes : begin + stored_bytes);
     const std::span memory = image.pixels;
-    const std::span rows = interlaced ? std::span(apart) : memory.subspan(begin);
+    const std::span stored = interlaced ? std::span(apart) : memory.subspan(begin);
 
     const std::uint32_t format = image.format == PixelFormat::rgba16
                                      ? WUFFS_BASE__PIXEL_FORMAT__BGRA_NONPREMUL_4X16LE
@@ -156,8 +157,8 @@ wuffs_base__status decode_pixels(wuffs_png__decoder& decoder, wuffs_base__io_buf
     wuffs_base__status status =
         pixels.set_from_slice(&config.pixcfg, slice(memory.first(pixel_bytes)));
     if (!status.is_ok()) return status;
-    status =
-        decoder.decode_frame(&pixels, &source, WUFFS_BASE__PIXEL_BLEND__SRC, slice(rows), nullptr);
+    status = decoder.decode_frame(&pixels, &source, WUFFS_BASE__PIXEL_BLEND__SRC, slice(stored),
+                                  nullptr);
     image.pixels.resize(pixel_bytes);
     while (status.is_ok())
         status = decoder.decode_frame_config(nullptr, &source);

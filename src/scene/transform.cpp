@@ -1,7 +1,5 @@
 #include "scene/transform.h"
 
-#include <cmath>
-
 namespace hm {
 namespace {
 
