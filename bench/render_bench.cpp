@@ -224,7 +224,7 @@ int main(int argc, char** argv) {
         hm::Result<std::string> json = hm::measure_scene(scenes[i], errors, aovs);
         if (!json) {
             fmt::print(stderr, "render_bench: {}\n", json.error().line());
-            return int(json.error().code);
+            return int(json.error().kind);
         }
         fmt::print("{}{}\n", *json, i + 1 < scenes.size() ? "," : "");
         std::fflush(stdout);

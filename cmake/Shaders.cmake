@@ -7,7 +7,7 @@
 # separate calls for one file with other names and DEFINES. FILE includes from src/, from its own
 # folder and from INCLUDES.
 add_executable(embed_spirv ${PROJECT_SOURCE_DIR}/tools/embed_spirv.cpp)
-himalaya_compile(embed_spirv)
+himalaya_compile(embed_spirv NO_PRECOMPILED_HEADER)
 
 function(himalaya_shader target file)
   cmake_parse_arguments(S "" "NAME" "DEFINES;INCLUDES" ${ARGN})

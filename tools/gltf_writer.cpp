@@ -64,7 +64,7 @@ Result<std::vector<std::byte>> encode_png(const std::string& name, const Picture
                                   SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
     std::size_t size = 0;
     void* data = error ? nullptr : spng_get_png_buffer(context.get(), &size, &error);
-    if (error) return fail(ExitCode::internal, name, "", spng_strerror(error));
+    if (error) return fail(ErrorKind::internal, name, "", spng_strerror(error));
     std::vector<std::byte> bytes(size);
     std::memcpy(bytes.data(), data, size);
     std::free(data);

@@ -24,12 +24,12 @@ Result<void> write_scene(const std::filesystem::path& folder, const std::string&
 int main(int argc, char** argv) {
     if (argc != 2) {
         fmt::print(stderr, "usage: make_scenes FOLDER\n");
-        return int(hm::ExitCode::usage);
+        return int(hm::ErrorKind::invalid_argument);
     }
     for (const auto write : {hm::write_cornell, hm::write_spheres, hm::write_hero})
         if (const auto result = write(argv[1]); !result) {
             fmt::print(stderr, "make_scenes: {}\n", result.error().line());
-            return int(result.error().code);
+            return int(result.error().kind);
         }
     return 0;
 }

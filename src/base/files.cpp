@@ -50,11 +50,11 @@ std::string error_text(int number) {
 }
 
 tl::unexpected<Error> unreadable(const fs::path& path, std::string message) {
-    return fail(ExitCode::unreadable, path.string(), "", std::move(message));
+    return fail(ErrorKind::unreadable, path.string(), "", std::move(message));
 }
 
 tl::unexpected<Error> unwritable(const fs::path& path, std::string message) {
-    return fail(ExitCode::unwritable, path.string(), "", "can't be written: " + message);
+    return fail(ErrorKind::unwritable, path.string(), "", "can't be written: " + message);
 }
 
 Result<void> write_bytes(const fs::path& path, std::span<const std::byte> bytes) {

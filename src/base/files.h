@@ -12,17 +12,17 @@
 
 namespace hm {
 
-// The bytes of a regular file. Fails with ExitCode::unreadable (missing, a folder, no permission).
+// The bytes of a regular file. Fails with ErrorKind::unreadable (missing, a folder, no permission).
 Result<ByteArray> read_file(const std::filesystem::path& path);
 
 // Whether a file of so many bytes could be written to `path` now: for asking before hours of work.
 // Makes a temporary file in its folder, reserves the room and removes it again. Fails with
-// ExitCode::unwritable.
+// ErrorKind::unwritable.
 Result<void> check_writable(const std::filesystem::path& path, std::uint64_t bytes = 1);
 
 // Calls `write` with a temporary path in the same folder and renames the result to `path`; on any
 // failure the temporary file is removed and `path` is as it was. Once this returns, the file also
-// survives a loss of power. Fails with ExitCode::unwritable.
+// survives a loss of power. Fails with ErrorKind::unwritable.
 Result<void> write_atomically(
     const std::filesystem::path& path,
     const std::function<Result<void>(const std::filesystem::path&)>& write);

@@ -58,18 +58,18 @@ TEST_F(Files, ReadsWhatWasWritten) {
 TEST_F(Files, ReadingSaysWhyNot) {
     const auto missing = read_file(folder_ / "missing.gltf");
     ASSERT_FALSE(missing);
-    EXPECT_EQ(missing.error().code, ExitCode::unreadable);
+    EXPECT_EQ(missing.error().kind, ErrorKind::unreadable);
     EXPECT_EQ(missing.error().line(),
               (folder_ / "missing.gltf").string() + ": can't be opened: No such file or directory");
 
     const auto directory = read_file(folder_);
     ASSERT_FALSE(directory);
-    EXPECT_EQ(directory.error().code, ExitCode::unreadable);
+    EXPECT_EQ(directory.error().kind, ErrorKind::unreadable);
 
     ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
     const auto pipe = read_file(folder_ / "pipe");  // nobody writes: must not wait
     ASSERT_FALSE(pipe);
-    EXPECT_EQ(pipe.error().code, ExitCode::unreadable);
+    EXPECT_EQ(pipe.error().kind, ErrorKind::unreadable);
 }
 
 TEST_F(Files, ReplacesAtOnceAndHonoursTheUmask) {
@@ -97,7 +97,7 @@ TEST_F(Files, FailureLeavesTheOldFileAndNothingElse) {
     ASSERT_TRUE(write_file_atomically(path, bytes_of("old")));
     const auto refused = write_atomically(path, [](const fs::path& temporary) -> Result<void> {
         std::ofstream(temporary) << "half";
-        return fail(ExitCode::unwritable, temporary.string(), "", "disk full");
+        return fail(ErrorKind::unwritable, temporary.string(), "", "disk full");
     });
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().line(), path.string() + ": disk full");
@@ -115,7 +115,7 @@ TEST_F(Files, RefusesWhatIsNoFile) {
     const auto check = [&](const fs::path& path) {
         const auto written = write_file_atomically(path, bytes_of("x"));
         ASSERT_FALSE(written) << path;
-        EXPECT_EQ(written.error().code, ExitCode::unwritable);
+        EXPECT_EQ(written.error().kind, ErrorKind::unwritable);
         EXPECT_EQ(written.error().file, path.string());
     };
     check(folder_);

@@ -1,31 +1,31 @@
-// Bad input as a value: what went wrong, in which file, at which place, and the exit code it means.
+// Bad input as a value: what kind of trouble it is, in which file, at which place, and a message.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 
 namespace hm {
 
-// Exit codes of the program; part of the command line's contract (docs/exit-codes.md).
-enum class ExitCode : int {
-    ok = 0,
-    internal = 1,       // a bug, or the machine failed us
-    usage = 2,          // the flags make no sense
-    unreadable = 3,     // an input file is missing or can't be read
-    invalid = 4,        // an input file breaks its format's rules
-    unsupported = 5,    // an input file requires what this program does not have
-    unwritable = 6,     // an output can't be written
-    no_device = 7,      // there is no Vulkan loader or driver, or no device that has what we need;
-                        // or no library to denoise with
-    device_failed = 8,  // a device that we had ran out of memory or was lost
-    warned = 10,        // `info`: the file renders, with warnings; `doctor`: only the CPU draws
-    different = 11,     // `compare` only: the pictures differ more than the flags allow
-    interrupted = 130,
+// What kind of trouble an error is, for callers that act on it.
+enum class ErrorKind {
+    internal,          // a bug, or the machine failed us
+    invalid_argument,  // what the caller asks for makes no sense, or does not fit the scene
+    unreadable,        // an input file is missing or can't be read
+    invalid,           // an input file breaks its format's rules
+    unsupported,       // an input file requires what this library does not have
+    unwritable,        // an output can't be written
+    no_device,         // there is no Vulkan loader or driver, or no device that has what we need;
+                       // or no library to denoise with
+    device_failed,     // a device that we had ran out of memory or was lost
 };
+
+// "invalid argument", "unreadable", ...
+std::string_view name_of(ErrorKind kind);
 
 // `place` is a JSON pointer ("/meshes/0/primitives/1"), a byte offset or empty.
 struct Error {
-    ExitCode code = ExitCode::internal;
+    ErrorKind kind = ErrorKind::internal;
     std::string file;
     std::string place;
     std::string message;
@@ -37,10 +37,10 @@ struct Error {
 template <class T>
 using Result = tl::expected<T, Error>;
 
-inline tl::unexpected<Error> fail(ExitCode code, std::string file, std::string place,
+inline tl::unexpected<Error> fail(ErrorKind kind, std::string file, std::string place,
                                   std::string message) {
     return tl::unexpected<Error>(
-        Error{code, std::move(file), std::move(place), std::move(message)});
+        Error{kind, std::move(file), std::move(place), std::move(message)});
 }
 
 }  // namespace hm

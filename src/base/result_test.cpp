@@ -8,19 +8,19 @@ namespace hm {
 namespace {
 
 TEST(Error, LineLeavesOutWhatIsEmpty) {
-    EXPECT_EQ((Error{ExitCode::invalid, "a.gltf", "/meshes/0", "no"}.line()),
+    EXPECT_EQ((Error{ErrorKind::invalid, "a.gltf", "/meshes/0", "no"}.line()),
               "a.gltf: /meshes/0: no");
-    EXPECT_EQ((Error{ExitCode::invalid, "a.gltf", "", "no"}.line()), "a.gltf: no");
-    EXPECT_EQ((Error{ExitCode::usage, "", "", "no"}.line()), "no");
+    EXPECT_EQ((Error{ErrorKind::invalid, "a.gltf", "", "no"}.line()), "a.gltf: no");
+    EXPECT_EQ((Error{ErrorKind::invalid_argument, "", "", "no"}.line()), "no");
 }
 
 TEST(Error, LineIsOneLine) {
-    EXPECT_EQ((Error{ExitCode::invalid, "a\n.gltf", "/\x1B", "b\rc"}.line()),
+    EXPECT_EQ((Error{ErrorKind::invalid, "a\n.gltf", "/\x1B", "b\rc"}.line()),
               "a\\x0A.gltf: /\\x1B: b\\x0Dc");
 }
 
 Result<std::unique_ptr<int>> make(bool good) {
-    if (!good) return fail(ExitCode::unsupported, "f", "p", "m");
+    if (!good) return fail(ErrorKind::unsupported, "f", "p", "m");
     return std::make_unique<int>(7);
 }
 
@@ -41,7 +41,7 @@ TEST(Result, TryPassesValuesAndErrorsOn) {
     EXPECT_EQ(*sum(true), 14);
     ASSERT_FALSE(check(false).has_value());
     ASSERT_FALSE(sum(false).has_value());
-    EXPECT_EQ(sum(false).error().code, ExitCode::unsupported);
+    EXPECT_EQ(sum(false).error().kind, ErrorKind::unsupported);
     EXPECT_EQ(sum(false).error().line(), "f: p: m");
 }
 

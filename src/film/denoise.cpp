@@ -60,7 +60,7 @@ Result<oidn::PhysicalDevice> choose(const oidn::Library& library, DenoiseDevice 
         found += fmt::format("{}{} ({})", found.empty() ? "" : ", ", type_name(device.type),
                              device.name);
     }
-    return fail(ExitCode::no_device, "", "",
+    return fail(ErrorKind::no_device, "", "",
                 fmt::format("{} has no {} device; it finds {}", library.file.string(),
                             type == oidn::kDefault ? "usable" : type_name(type),
                             found.empty() ? "none" : found));
@@ -112,7 +112,7 @@ struct Denoiser::Impl {
         const char* message = nullptr;
         const oidn::ErrorCode code = api.GetDeviceError(device, &message);
         if (code == oidn::kNoError) return {};
-        return fail(ExitCode::device_failed, "", "",
+        return fail(ErrorKind::device_failed, "", "",
                     fmt::format("{}: {}: {}: {}", description, doing, error_name(code),
                                 message != nullptr ? message : ""));
     }

@@ -34,7 +34,7 @@ struct Denoised {
 class Denoiser {
   public:
     // Finds the library (film/oidn_library.h) and one of its devices. threads 0: all cores. Fails
-    // with ExitCode::no_device where either is missing.
+    // with ErrorKind::no_device where either is missing.
     static Result<Denoiser> open(DenoiseDevice device, unsigned threads);
 
     Denoiser(Denoiser&&) noexcept;

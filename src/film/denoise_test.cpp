@@ -189,7 +189,7 @@ TEST_F(Denoise, TheSameInputGivesTheSameBits) {
 TEST_F(Denoise, ADeviceThatIsNotThereIsNamed) {
     const auto opened = Denoiser::open(DenoiseDevice::hip, 0);
     if (opened) GTEST_SKIP() << "this machine has an AMD GPU";
-    EXPECT_EQ(opened.error().code, ExitCode::no_device);
+    EXPECT_EQ(opened.error().kind, ErrorKind::no_device);
     EXPECT_NE(opened.error().message.find("has no hip device; it finds"), std::string::npos)
         << opened.error().message;
 }
@@ -216,7 +216,7 @@ TEST(OidnLibrary, WithoutItTheErrorSaysHowToGetIt) {
     const Chosen chosen("/nowhere/at/all");
     const auto opened = Denoiser::open(DenoiseDevice::fastest, 0);
     ASSERT_FALSE(opened);
-    EXPECT_EQ(opened.error().code, ExitCode::no_device);
+    EXPECT_EQ(opened.error().kind, ErrorKind::no_device);
     for (const char* part : {"HIMALAYA_OIDN is \"/nowhere/at/all\"", "libOpenImageDenoise.so.2",
                              "scripts/fetch-oidn.sh"})
         EXPECT_NE(opened.error().message.find(part), std::string::npos) << opened.error().message;
@@ -228,7 +228,7 @@ TEST(OidnLibrary, WhatIsNoneIsRefused) {
     const Chosen chosen(fs::path(source) / "README.md");
     const auto library = oidn::load_library();
     ASSERT_FALSE(library);
-    EXPECT_EQ(library.error().code, ExitCode::no_device);
+    EXPECT_EQ(library.error().kind, ErrorKind::no_device);
     EXPECT_NE(library.error().message.find("README.md"), std::string::npos)
         << library.error().message;
 }

@@ -16,7 +16,7 @@ constexpr const char* kHowToGet =
     "scripts/fetch-oidn.sh gets it; HIMALAYA_OIDN names its folder or file elsewhere";
 
 tl::unexpected<Error> missing(const std::string& what) {
-    return fail(ExitCode::no_device, "", "",
+    return fail(ErrorKind::no_device, "", "",
                 fmt::format("denoising needs Open Image Denoise 2: {}. {}", what, kHowToGet));
 }
 

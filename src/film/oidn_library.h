@@ -23,7 +23,7 @@ struct PhysicalDevice {
 
 // The file or folder that HIMALAYA_OIDN names and nothing else; without it the folders beside the
 // program, the build tree's build/oidn, and the system's libraries. The library stays loaded. Fails
-// with ExitCode::no_device and says where it looked and how to get the library.
+// with ErrorKind::no_device and says where it looked and how to get the library.
 Result<Library> load_library();
 
 // What the library can compute on, the fastest first.

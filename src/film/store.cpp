@@ -118,8 +118,8 @@ std::string checksum(const Film& film, const FilmLabel& label) {
 }
 
 tl::unexpected<Error> refuse(const std::filesystem::path& path, std::string message,
-                             ExitCode code = ExitCode::invalid) {
-    return fail(code, path.string(), "", std::move(message));
+                             ErrorKind kind = ErrorKind::invalid) {
+    return fail(kind, path.string(), "", std::move(message));
 }
 
 tl::unexpected<Error> damaged(const std::filesystem::path& path, const std::string& what) {
@@ -206,7 +206,7 @@ Result<StoredFilm> read_film(const std::filesystem::path& path) {
         return refuse(
             path,
             fmt::format("has version {} of the format; this program has {}", *version, kVersion),
-            ExitCode::unsupported);
+            ErrorKind::unsupported);
     const PictureWindow& data = picture.data;
     const PictureWindow& whole = picture.display;
     if (data.x0 < 0 || data.y0 < 0 || whole.x0 != 0 || whole.y0 != 0 || data.x1 > whole.x1 ||

@@ -28,8 +28,8 @@ inline constexpr std::string_view kFilmPrefix = "film.";
 Result<void> write_film(const std::filesystem::path& path, const Film& film, const FilmLabel& label,
                         ExrCompression compression);
 
-// Fails with ExitCode::unreadable, invalid (not such a file, or a damaged one) or unsupported (of a
-// later version).
+// Fails with ErrorKind::unreadable, invalid (not such a file, or a damaged one) or unsupported (of
+// a later version).
 Result<StoredFilm> read_film(const std::filesystem::path& path);
 
 // About the size of its file without compression, beside lists of ids.

@@ -174,7 +174,7 @@ TEST_F(FilmStore, SaysWhatAFileIsNot) {
     picture.metadata = {{"film.version", "2"}};
     ASSERT_TRUE(write_layers(path, picture));
     EXPECT_EQ(error_of(path), name + ": has version 2 of the format; this program has 1");
-    EXPECT_EQ(read_film(path).error().code, ExitCode::unsupported);
+    EXPECT_EQ(read_film(path).error().kind, ErrorKind::unsupported);
     picture.metadata = {{"film.version", "1"}, {"film.first_sample", "0"}};
     ASSERT_TRUE(write_layers(path, picture));
     EXPECT_EQ(error_of(path), name + ": is damaged: channel sum.R is missing");

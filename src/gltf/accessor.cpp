@@ -115,7 +115,7 @@ Result<std::vector<std::uint32_t>> sparse_indices(const Source& source, std::siz
     for (std::size_t i = 0; i < indices.size(); ++i) {
         const bool rises = i == 0 || indices[i] > indices[i - 1];
         if (!rises || indices[i] >= source.accessors[accessor].count)
-            return fail(ExitCode::invalid, source.file,
+            return fail(ErrorKind::invalid, source.file,
                         accessor_place(accessor) + "/sparse/indices",
                         fmt::format("index {} (element {}) {}", indices[i], i,
                                     rises ? "is past the accessor's end" : "does not increase"));
@@ -261,7 +261,7 @@ Result<void> check_finite(const Source& source, std::size_t accessor, Target<con
     if (bad == count) return {};
     const float* element = values.first + bad * values.stride;
     const bool nan = std::any_of(element, element + width, [](float x) { return std::isnan(x); });
-    return fail(ExitCode::invalid, source.file, accessor_place(accessor),
+    return fail(ErrorKind::invalid, source.file, accessor_place(accessor),
                 fmt::format("element {} is {}", bad, nan ? "not a number" : "infinite"));
 }
 

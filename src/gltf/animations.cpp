@@ -104,7 +104,7 @@ Result<void> check_rotations(const Source& source, const FileSampler& from) {
     for (std::size_t key = 0; key < s.times.size(); ++key) {
         const float* q = s.values.data() + 4 * (cubic ? 3 * key + 1 : key);
         if (q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
-            return fail(ExitCode::invalid, source.file, accessor_place(from.output),
+            return fail(ErrorKind::invalid, source.file, accessor_place(from.output),
                         fmt::format("the rotation of key {} is a zero quaternion", key));
     }
     return {};

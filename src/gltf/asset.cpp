@@ -78,11 +78,11 @@ Result<void> check_asset(const Json& root) {
     HM_TRY(asset.text("copyright"));
     if (version.major != 2)
         return asset.fail(
-            ExitCode::unsupported, "version",
+            ErrorKind::unsupported, "version",
             fmt::format("glTF {}.{}; only 2.x is read", version.major, version.minor));
     HM_TRY_ASSIGN(const auto least, read_version(asset, "minVersion"));
     if (least && (least->major != 2 || least->minor > 0))
-        return asset.fail(ExitCode::unsupported, "minVersion",
+        return asset.fail(ErrorKind::unsupported, "minVersion",
                           fmt::format("the file needs glTF {}.{}; this program knows 2.0",
                                       least->major, least->minor));
     return {};
@@ -98,7 +98,7 @@ Result<void> check_extensions(const Document& document, Source& source) {
         missing += name;
     }
     if (!missing.empty())
-        return root.fail(ExitCode::unsupported, "extensionsRequired",
+        return root.fail(ErrorKind::unsupported, "extensionsRequired",
                          fmt::format("required but not supported: {}", missing));
 
     HM_TRY_ASSIGN(const auto used, root.texts("extensionsUsed"));

@@ -54,7 +54,7 @@ std::uint64_t json_memory(std::span<const std::byte> text) {
 Result<void> check_memory(const Budget& budget, std::uint64_t bytes, const std::string& file,
                           const std::string& place) {
     if (bytes <= budget.kept_bytes) return {};
-    return fail(ExitCode::invalid, file, place,
+    return fail(ErrorKind::invalid, file, place,
                 fmt::format("needs {} bytes of memory, but of the limit of {} only {} are left "
                             "(--memory-limit)",
                             bytes, budget.limit, budget.kept_bytes));

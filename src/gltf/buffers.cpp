@@ -46,7 +46,7 @@ Result<ByteArray> read_uri(Source& source, const Json& owner, std::string_view u
     if (!ignored) HM_TRY(take_memory(owner, source, size));
     auto bytes = read_file(whole);
     if (!bytes)
-        return owner.fail(ExitCode::unreadable, "uri",
+        return owner.fail(ErrorKind::unreadable, "uri",
                           fmt::format("{}: {}", excerpt(path->string()), bytes.error().message));
     source.hash.add(*bytes);
     return std::move(*bytes);
@@ -112,7 +112,7 @@ Result<std::span<const std::byte>> view_bytes(const Source& source, std::size_t 
     const BufferView& at = source.views[view];
     const Buffer& buffer = source.buffers[at.buffer];
     if (!buffer.bytes)
-        return fail(ExitCode::invalid, source.file, fmt::format("/buffers/{}", at.buffer),
+        return fail(ErrorKind::invalid, source.file, fmt::format("/buffers/{}", at.buffer),
                     "has neither a uri nor a GLB chunk, but its data is used");
     return buffer.bytes->subspan(at.offset, at.length);
 }

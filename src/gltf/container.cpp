@@ -21,7 +21,7 @@ std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at) {
 }
 
 tl::unexpected<Error> broken(const std::string& file, std::size_t at, std::string message) {
-    return fail(ExitCode::invalid, file, fmt::format("byte {}", at), std::move(message));
+    return fail(ErrorKind::invalid, file, fmt::format("byte {}", at), std::move(message));
 }
 
 // The file's bytes as far as the header says they are the container's.
@@ -31,7 +31,7 @@ Result<std::span<const std::byte>> check_header(std::span<const std::byte> bytes
         return broken(file, bytes.size(), "the GLB header is cut short");
     const std::uint32_t version = little_endian(bytes, 4);
     if (version != 2)
-        return fail(ExitCode::unsupported, file, "byte 4",
+        return fail(ErrorKind::unsupported, file, "byte 4",
                     fmt::format("GLB version {}; only 2 is read", version));
     const std::uint32_t length = little_endian(bytes, 8);
     if (length > bytes.size())

@@ -58,9 +58,9 @@ TEST(Container, RefusesBrokenLayouts) {
         std::string file;
         const char* place;
         const char* message;
-        ExitCode code = ExitCode::invalid;
+        ErrorKind kind = ErrorKind::invalid;
     } cases[] = {
-        {"version 1", with_word(good, 4, 1), "byte 4", "only 2", ExitCode::unsupported},
+        {"version 1", with_word(good, 4, 1), "byte 4", "only 2", ErrorKind::unsupported},
         {"longer than the file", with_word(good, 8, size + 4), "byte 8", "the file has"},
         {"shorter than its header", with_word(good, 8, 8), "byte 8", "8 bytes in all"},
         {"chunk past the end", with_word(good, 12, size), "byte 12", "passes the end"},
@@ -79,7 +79,7 @@ TEST(Container, RefusesBrokenLayouts) {
         const Loaded loaded = load_text(c.file);
         ASSERT_FALSE(loaded.scene) << c.what;
         const Error& error = loaded.scene.error();
-        EXPECT_EQ(error.code, c.code) << c.what << ": " << error.line();
+        EXPECT_EQ(error.kind, c.kind) << c.what << ": " << error.line();
         EXPECT_EQ(error.place, c.place) << c.what << ": " << error.line();
         EXPECT_NE(error.message.find(c.message), std::string::npos)
             << c.what << ": " << error.line();

@@ -97,7 +97,7 @@ bool Survey::visit_object(dom::object object, bool in_extras, std::string& place
 Result<Document> parse_json(dom::parser& parser, std::span<const std::byte> text,
                             const std::string& file, std::size_t readable_behind) {
     const auto reject = [&](std::string message) {
-        return hm::fail(ExitCode::invalid, file, "", std::move(message));
+        return hm::fail(ErrorKind::invalid, file, "", std::move(message));
     };
     const auto byte = [&](std::size_t i) { return std::to_integer<unsigned>(text[i]); };
     if (text.size() >= 3 && byte(0) == 0xEF && byte(1) == 0xBB && byte(2) == 0xBF)
@@ -121,13 +121,13 @@ Result<Document> parse_json(dom::parser& parser, std::span<const std::byte> text
     if (status == simdjson::NUMBER_ERROR)
         return reject("is not valid JSON: a number is malformed or beyond a 64-bit float");
     if (status == simdjson::MEMALLOC)
-        return hm::fail(ExitCode::unreadable, file, "", "its JSON does not fit in memory");
+        return hm::fail(ErrorKind::unreadable, file, "", "its JSON does not fit in memory");
     if (status != simdjson::SUCCESS)
         return reject(fmt::format("is not valid JSON: {}", simdjson::error_message(status)));
     if (!root.is_object()) return reject("is not a glTF file: its JSON is no object");
     ExtensionUses uses;
     if (const auto place = Survey(uses).repeated_key(root))
-        return hm::fail(ExitCode::invalid, file, *place, "stands twice in its object");
+        return hm::fail(ErrorKind::invalid, file, *place, "stands twice in its object");
     return Document{Json(root, "", &file), std::move(uses)};
 }
 

@@ -117,9 +117,9 @@ TEST(Variants, AreChosenByName) {
     options.variant = "green";
     const auto unknown = load_with(text, options);
     ASSERT_FALSE(unknown);
-    EXPECT_EQ(unknown.error().code, ExitCode::usage);
+    EXPECT_EQ(unknown.error().kind, ErrorKind::invalid_argument);
     EXPECT_NE(unknown.error().message.find(R"("red", "blue")"), std::string::npos);
-    EXPECT_EQ(load_with(document(), options).error().code, ExitCode::usage);
+    EXPECT_EQ(load_with(document(), options).error().kind, ErrorKind::invalid_argument);
 
     const char* at = "/meshes/0/primitives/0/extensions/KHR_materials_variants/mappings/0";
     expect_refused({
@@ -138,14 +138,14 @@ TEST(Scenes, AreChosenByNameOrIndex) {
         LoadOptions options;
         options.scene = wanted;
         const auto scene = load_with(text, options);
-        return scene ? scene->nodes.at(0).name : std::to_string(int(scene.error().code));
+        return scene ? scene->nodes.at(0).name : std::to_string(int(scene.error().kind));
     };
     EXPECT_EQ(shown(""), "a");
     EXPECT_EQ(shown("1"), "b");
     EXPECT_EQ(shown("last"), "c");
     EXPECT_EQ(shown("2"), "a");  // a name before an index
-    EXPECT_EQ(shown("3"), std::to_string(int(ExitCode::usage)));
-    EXPECT_EQ(shown("-1"), std::to_string(int(ExitCode::usage)));
+    EXPECT_EQ(shown("3"), std::to_string(int(ErrorKind::invalid_argument)));
+    EXPECT_EQ(shown("-1"), std::to_string(int(ErrorKind::invalid_argument)));
 }
 
 // Positions as 16-bit integers, a stride of 8; normals as normalised bytes; texture coordinates as

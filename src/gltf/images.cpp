@@ -73,7 +73,7 @@ Result<Encoded> fetch(const Json& item, Source& source) {
     Encoded out;
     HM_TRY(fetch_bytes(item, source, out));
     if (const std::string_view format = foreign_format(out.bytes); !format.empty())
-        return item.fail(ExitCode::unsupported, key_of(item),
+        return item.fail(ErrorKind::unsupported, key_of(item),
                          fmt::format("is a {} image; PNG and JPEG are read", format));
     HM_TRY_ASSIGN(out.name, item.name());
     out.decoded_bytes = decoded_size(out.bytes).value_or(0);
@@ -139,7 +139,7 @@ Result<std::vector<Image>> read_images(const Json& root, Source& source,
     for (std::size_t i = 0; i < read.size(); ++i) {
         const Json& item = items[chosen[i]];
         if (!read[i])
-            return item.fail(read[i].error().code, key_of(item),
+            return item.fail(read[i].error().kind, key_of(item),
                              std::move(read[i].error().message));
         images.push_back(std::move(*read[i]));
     }

@@ -102,9 +102,9 @@ TEST(Images, Refusals) {
     const std::string ktx2 = "\xABKTX 20\xBB\r\n\x1A\n";
     expect_refused({
         {"missing file", images(good, R"({"uri":"none.png"})"), "/images/1/uri", "none.png",
-         ExitCode::unreadable},
+         ErrorKind::unreadable},
         {"leaves the folder", images(good, R"({"uri":"../none.png"})"), "/images/1/uri", "..",
-         ExitCode::invalid},
+         ErrorKind::invalid},
         {"not a picture", images(good, data_image("aGVsbG8=")), "/images/1/uri", ""},
         {"cut picture", images(good, data_image(kPng1.substr(0, 60))), "/images/1/uri", ""},
         {"both", images(good, R"({"uri":"a.png","bufferView":0})"), "/images/1", "both"},
@@ -112,11 +112,11 @@ TEST(Images, Refusals) {
         {"no such view", images(good, R"({"bufferView":9})"), "/images/1/bufferView",
          "past the end"},
         {"WebP", images(good, data_image(base64(webp))), "/images/1/uri", "WebP",
-         ExitCode::unsupported},
+         ErrorKind::unsupported},
         {"KTX2", images(good, data_image(base64(ktx2))), "/images/1/uri", "KTX2",
-         ExitCode::unsupported},
+         ErrorKind::unsupported},
         {"the first of two", images(R"({"uri":"none.png"})", "{}"), "/images/0/uri", "none.png",
-         ExitCode::unreadable},
+         ErrorKind::unreadable},
     });
 }
 

@@ -85,7 +85,7 @@ Result<void> read_set(const Source& source, const Set& set, std::size_t number,
     const auto negative =
         std::find_if(weights.begin(), weights.end(), [](float w) { return w < 0; });
     if (negative != weights.end())
-        return fail(ExitCode::invalid, source.file, accessor_place(set.weights),
+        return fail(ErrorKind::invalid, source.file, accessor_place(set.weights),
                     fmt::format("element {} has the negative weight {}",
                                 (negative - weights.begin()) / kSetSize, *negative));
     for (std::size_t v = 0; v < out.joints.size() / out.influences; ++v) {

@@ -46,7 +46,7 @@ Result<void> separate_posed_meshes(Source& source, Scene& scene) {
         if (is_new && taken[mesh]) {
             const std::uint64_t bytes = copy_bytes(scene.meshes[mesh]);
             if (bytes > source.budget.kept_bytes)
-                return fail(ExitCode::invalid, source.file, fmt::format("/meshes/{}", mesh),
+                return fail(ErrorKind::invalid, source.file, fmt::format("/meshes/{}", mesh),
                             "its poses take too much memory for the file's size");
             source.budget.kept_bytes -= bytes;
             known->second = static_cast<int>(scene.meshes.size());

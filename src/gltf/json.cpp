@@ -81,17 +81,17 @@ bool Json::leads_to_object(std::string_view pointer) const {
     return value_.at_pointer(pointer).get(found) == simdjson::SUCCESS && found.is_object();
 }
 
-tl::unexpected<Error> Json::fail(ExitCode code, std::string_view key, std::string message) const {
-    return hm::fail(code, *file_, place_of(key), std::move(message));
+tl::unexpected<Error> Json::fail(ErrorKind kind, std::string_view key, std::string message) const {
+    return hm::fail(kind, *file_, place_of(key), std::move(message));
 }
 
 tl::unexpected<Error> Json::invalid(std::string_view key, std::string message) const {
-    return fail(ExitCode::invalid, key, std::move(message));
+    return fail(ErrorKind::invalid, key, std::move(message));
 }
 
 tl::unexpected<Error> Json::mistyped(std::string place, std::string_view expected,
                                      dom::element found) const {
-    return hm::fail(ExitCode::invalid, *file_, std::move(place),
+    return hm::fail(ErrorKind::invalid, *file_, std::move(place),
                     fmt::format("expected {}, found {}", expected, type_name(found.type())));
 }
 
@@ -198,7 +198,7 @@ Result<std::uint64_t> Json::to_integer(dom::element value, const Place& place) c
     double number = 0;
     if (value.get(number) != simdjson::SUCCESS) return mistyped(place(), "an integer", value);
     if (number < 0 || number > kMaxInteger || number != std::floor(number))
-        return hm::fail(ExitCode::invalid, *file_, place(),
+        return hm::fail(ErrorKind::invalid, *file_, place(),
                         fmt::format("expected an integer from 0 to 2^53, found {}", number));
     return static_cast<std::uint64_t>(number);
 }
@@ -208,7 +208,7 @@ Result<float> Json::to_number(dom::element value, const Place& place) const {
     double number = 0;
     if (value.get(number) != simdjson::SUCCESS) return mistyped(place(), "a number", value);
     if (std::abs(number) > double(std::numeric_limits<float>::max()))
-        return hm::fail(ExitCode::invalid, *file_, place(),
+        return hm::fail(ErrorKind::invalid, *file_, place(),
                         fmt::format("{} does not fit a 32-bit float", number));
     return static_cast<float>(number);
 }
@@ -239,7 +239,7 @@ Result<std::vector<std::size_t>> Json::indices(std::string_view key, std::size_t
         const auto here = [&] { return element_place(place_of(key), out.size()); };
         HM_TRY_ASSIGN(const std::uint64_t index, to_integer(value, here));
         if (index >= count)
-            return hm::fail(ExitCode::invalid, *file_, here(),
+            return hm::fail(ErrorKind::invalid, *file_, here(),
                             fmt::format("{} is past the end of the {} {}", index, count, what));
         out.push_back(static_cast<std::size_t>(index));
     }

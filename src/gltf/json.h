@@ -36,7 +36,7 @@ class Json {
     bool leads_to_object(std::string_view pointer) const;  // RFC 6901, from this value on
 
     // Errors at a property or, with an empty key, at this value itself.
-    tl::unexpected<Error> fail(ExitCode code, std::string_view key, std::string message) const;
+    tl::unexpected<Error> fail(ErrorKind kind, std::string_view key, std::string message) const;
     tl::unexpected<Error> invalid(std::string_view key, std::string message) const;
 
     // Of every object that is handed out, "extensions" is an object of objects where it is there.

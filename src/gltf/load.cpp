@@ -96,7 +96,7 @@ Result<Scene> load_gltf_bytes(std::span<const std::byte> bytes, const std::files
     try {
         return load(bytes, path, diagnostics, options);
     } catch (const std::bad_alloc&) {
-        return fail(ExitCode::internal, path.string(), "", "the scene does not fit in memory");
+        return fail(ErrorKind::internal, path.string(), "", "the scene does not fit in memory");
     }
 }
 

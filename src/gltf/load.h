@@ -27,7 +27,8 @@ struct LoadOptions {
 // or as data URIs). Every error carries the JSON pointer of the offending value. Codes: unreadable
 // (a file is missing), invalid (a rule of the format is broken), unsupported (extensionsRequired).
 // What the specification lets a renderer tolerate goes to `diagnostics`. An unknown scene or
-// variant is ExitCode::usage. What would pass the memory limit is refused before it is taken.
+// variant is ErrorKind::invalid_argument. What would pass the memory limit is refused before it is
+// taken.
 Result<Scene> load_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
                         const LoadOptions& options = {});
 

@@ -32,7 +32,7 @@ TEST(Load, MissingFileIsUnreadable) {
     Diagnostics diagnostics;
     const auto scene = load_gltf("no-such-folder/no-such-file.glb", diagnostics);
     ASSERT_FALSE(scene);
-    EXPECT_EQ(scene.error().code, ExitCode::unreadable);
+    EXPECT_EQ(scene.error().kind, ErrorKind::unreadable);
 }
 
 TEST(Load, TextThatIsNoDocument) {
@@ -67,7 +67,7 @@ TEST(Load, TextThatIsNoDocument) {
     for (const auto& c : cases) {
         const Loaded loaded = load_text(c.text);
         ASSERT_FALSE(loaded.scene) << c.what;
-        EXPECT_EQ(loaded.scene.error().code, ExitCode::invalid) << c.what;
+        EXPECT_EQ(loaded.scene.error().kind, ErrorKind::invalid) << c.what;
         EXPECT_NE(loaded.scene.error().message.find(c.message), std::string::npos)
             << c.what << ": " << loaded.scene.error().line();
     }
@@ -89,17 +89,17 @@ TEST(Load, VersionsAndExtensions) {
          {{"asset", R"({"version":"1.0"})"}},
          "/asset/version",
          "only 2.x",
-         ExitCode::unsupported},
+         ErrorKind::unsupported},
         {"too new",
          {{"asset", R"({"version":"2.1","minVersion":"2.1"})"}},
          "/asset/minVersion",
          "needs glTF 2.1",
-         ExitCode::unsupported},
+         ErrorKind::unsupported},
         {"required extensions",
          {{"extensionsRequired", R"(["KHR_a","KHR_materials_unlit","EXT_b"])"}},
          "/extensionsRequired",
          "required but not supported: KHR_a, EXT_b",
-         ExitCode::unsupported},
+         ErrorKind::unsupported},
         {"extension names are strings",
          {{"extensionsRequired", "[1]"}},
          "/extensionsRequired/0",

@@ -207,7 +207,7 @@ TEST(Materials, Refusals) {
          "/samplers/0/minFilter", "no filter"},
         {"an extension's image only",
          with(textured, "textures", R"([{"extensions":{"EXT_texture_webp":{"source":0}}}])"),
-         "/textures/0", "EXT_texture_webp", ExitCode::unsupported},
+         "/textures/0", "EXT_texture_webp", ErrorKind::unsupported},
     });
     const Loaded bare = load_text(document(with(textured, "textures", "[{}]")));
     ASSERT_TRUE(bare.scene);

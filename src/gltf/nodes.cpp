@@ -33,7 +33,8 @@ int to_int(const std::optional<std::size_t>& index) {
 }
 
 tl::unexpected<Error> broken(const Source& source, int node, std::string message) {
-    return fail(ExitCode::invalid, source.file, fmt::format("/nodes/{}", node), std::move(message));
+    return fail(ErrorKind::invalid, source.file, fmt::format("/nodes/{}", node),
+                std::move(message));
 }
 
 // KHR_node_visibility; whether the node's ancestors are visible is another matter.
@@ -143,7 +144,7 @@ Result<std::size_t> find_scene(const Json& root, const std::vector<Json>& scenes
     const char* const end = wanted.data() + wanted.size();
     const auto [stopped, error] = std::from_chars(wanted.data(), end, index);
     if (error == std::errc() && stopped == end && index < scenes.size()) return index;
-    return root.fail(ExitCode::usage, "",
+    return root.fail(ErrorKind::invalid_argument, "",
                      fmt::format("--scene: there is no scene {}; the file has {}", excerpt(wanted),
                                  known.empty() ? "none" : known));
 }

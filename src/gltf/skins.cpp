@@ -31,7 +31,7 @@ Result<std::vector<glm::mat4>> read_inverse_bind(const Json& skin, Source& sourc
     for (std::size_t i = 0; i < joint_count; ++i) {
         const auto matrix = affine_matrix(std::span<const float, 16>(values.data() + 16 * i, 16));
         if (!matrix)
-            return fail(ExitCode::invalid, source.file, accessor_place(*index),
+            return fail(ErrorKind::invalid, source.file, accessor_place(*index),
                         fmt::format("the last row of element {} is not 0 0 0 1", i));
         out[i] = *matrix;
     }
@@ -131,7 +131,7 @@ Result<void> check_skinned_nodes(const Source& source, const std::vector<int>& s
         std::string wrong =
             misfit(scene.meshes[std::size_t(node.mesh)], node, scene.skins[std::size_t(node.skin)]);
         if (!wrong.empty())
-            return fail(ExitCode::invalid, source.file, fmt::format("/nodes/{}/skin", i),
+            return fail(ErrorKind::invalid, source.file, fmt::format("/nodes/{}/skin", i),
                         std::move(wrong));
     }
     return {};

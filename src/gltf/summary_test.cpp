@@ -1,6 +1,8 @@
 // What a file says about itself, whether or not it can be loaded.
 #include "gltf/summary.h"
 
+#include <optional>
+
 #include "gltf/test_files.h"
 
 namespace hm::gltf_test {
@@ -58,15 +60,15 @@ TEST(Summary, WhatIsNoGltfIsRefused) {
     const Folder folder;
     const auto code_of = [&](std::string_view content) {
         const auto summary = read_summary(folder.write("file.gltf", content));
-        return summary ? ExitCode::ok : summary.error().code;
+        return summary ? std::nullopt : std::optional(summary.error().kind);
     };
-    EXPECT_EQ(code_of("hello"), ExitCode::invalid);
-    EXPECT_EQ(code_of(R"({"nodes":7})"), ExitCode::invalid);
-    EXPECT_EQ(code_of(R"({"extensionsUsed":[7]})"), ExitCode::invalid);
-    EXPECT_EQ(code_of(R"({"scenes":[{}],"scene":1})"), ExitCode::invalid);
+    EXPECT_EQ(code_of("hello"), ErrorKind::invalid);
+    EXPECT_EQ(code_of(R"({"nodes":7})"), ErrorKind::invalid);
+    EXPECT_EQ(code_of(R"({"extensionsUsed":[7]})"), ErrorKind::invalid);
+    EXPECT_EQ(code_of(R"({"scenes":[{}],"scene":1})"), ErrorKind::invalid);
     const auto missing = read_summary("no-such-folder/no-such-file.glb");
     ASSERT_FALSE(missing);
-    EXPECT_EQ(missing.error().code, ExitCode::unreadable);
+    EXPECT_EQ(missing.error().kind, ErrorKind::unreadable);
 }
 
 }  // namespace

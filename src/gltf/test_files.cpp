@@ -123,7 +123,7 @@ std::size_t Loaded::warned(std::string_view place, std::string_view text) const 
 
 Loaded load_text(std::string_view content) {
     const Folder folder;
-    Loaded out{fail(ExitCode::internal, "", "", ""), {}};
+    Loaded out{fail(ErrorKind::internal, "", "", ""), {}};
     out.scene = load_gltf(folder.write("scene.gltf", content), out.diagnostics);
     return out;
 }
@@ -133,7 +133,7 @@ void expect_refused(const std::vector<Refused>& cases) {
         const Loaded loaded = load_text(document(c.overrides));
         ASSERT_FALSE(loaded.scene) << c.what;
         const Error& error = loaded.scene.error();
-        EXPECT_EQ(error.code, c.code) << c.what << ": " << error.line();
+        EXPECT_EQ(error.kind, c.kind) << c.what << ": " << error.line();
         EXPECT_EQ(error.place, c.place) << c.what << ": " << error.line();
         EXPECT_NE(error.message.find(c.message), std::string::npos)
             << c.what << ": " << error.line();

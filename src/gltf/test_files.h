@@ -74,7 +74,7 @@ struct Refused {
     Overrides overrides;
     const char* place;
     const char* message;  // a part of it
-    ExitCode code = ExitCode::invalid;
+    ErrorKind kind = ErrorKind::invalid;
 };
 void expect_refused(const std::vector<Refused>& cases);
 

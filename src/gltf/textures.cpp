@@ -101,7 +101,7 @@ Result<TextureSlot> read_texture_slot(const Json& info, const std::vector<Textur
     const std::string place = fmt::format("/textures/{}", index);
     if (!texture.extension.empty())
         return fail(
-            ExitCode::unsupported, source.file, place,
+            ErrorKind::unsupported, source.file, place,
             fmt::format("its only image is {}'s, which is not supported", texture.extension));
     TextureSlot slot = texture.slot;
     if (slot.image == kUnset) source.warn(place, "a texture without an image is left out");

@@ -28,7 +28,7 @@ Result<void> choose_variant(const Json& root, Source& source) {
         known += (i == 0 ? "" : ", ") + excerpt(name);
     }
     if (wanted.empty() || source.variant) return {};
-    return root.fail(ExitCode::usage, "",
+    return root.fail(ErrorKind::invalid_argument, "",
                      fmt::format("--variant: there is no variant {}; the file has {}",
                                  excerpt(wanted), known.empty() ? "none" : known));
 }

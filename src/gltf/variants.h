@@ -9,7 +9,7 @@
 namespace hm::gltf {
 
 // Fills source.variant_count and, from the options, source.variant. A name that the file does not
-// have is ExitCode::usage.
+// have is ErrorKind::invalid_argument.
 Result<void> choose_variant(const Json& root, Source& source);
 
 // A primitive's material, of the chosen variant where that has one for it.

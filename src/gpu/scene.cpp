@@ -46,7 +46,7 @@ Result<void> check_memory(const rhi::Device& device, const FlatScene& scene) {
         memory.budget_bytes - std::min(memory.budget_bytes, memory.used_bytes);
     if (need <= room) return {};
     const auto gib = [](std::uint64_t bytes) { return double(bytes) / double(1u << 30); };
-    return fail(ExitCode::device_failed, "", "",
+    return fail(ErrorKind::device_failed, "", "",
                 fmt::format("the scene needs about {:.1f} GiB of device memory, {} has {:.1f} GiB "
                             "free",
                             gib(need), device.physical().name, gib(room)));
@@ -61,7 +61,7 @@ Result<void> GpuScene::add_table(rhi::DescriptorWrites& writes, SceneBinding bin
                                  const char* name, std::span<const std::byte> bytes) {
     if (bytes.size() > device_.limits().max_storage_buffer_bytes)
         return fail(
-            ExitCode::device_failed, "", "",
+            ErrorKind::device_failed, "", "",
             fmt::format("the scene's table of {} is {} bytes, {} takes {}", name, bytes.size(),
                         device_.physical().name, device_.limits().max_storage_buffer_bytes));
     // No buffer is empty; nothing reads the row that stands for none.

@@ -122,7 +122,7 @@ Result<void> check_limits(const rhi::Device& device, const FlatScene& scene) {
     constexpr std::uint64_t kCustomIndices = 1u << 24;
     const std::uint64_t most = std::min(device.limits().max_instances, kCustomIndices);
     if (scene.instances.size() > most)
-        return fail(ExitCode::unsupported, "", "",
+        return fail(ErrorKind::unsupported, "", "",
                     "the scene has " + std::to_string(scene.instances.size()) + " instances, " +
                         device.physical().name + " takes " + std::to_string(most));
     return {};

@@ -38,7 +38,7 @@ Result<void> check_sides(const rhi::Device& device, const FlatScene& scene,
     for (std::size_t i = 0; i < used.size(); ++i) {
         const ImageView& view = scene.images[i];
         if (used[i] && std::max(view.width, view.height) > most)
-            return fail(ExitCode::unsupported, "", "",
+            return fail(ErrorKind::unsupported, "", "",
                         name_of(i) + " is " + std::to_string(view.width) + " x " +
                             std::to_string(view.height) + ", " + device.physical().name +
                             " takes up to " + std::to_string(most));
@@ -69,7 +69,7 @@ Result<GpuTextures> GpuTextures::upload(rhi::Device& device, rhi::Uploader& uplo
                                         const rhi::SetLayout& layout, const FlatScene& scene) {
     const std::uint32_t room = layout.bindings()[0].count;
     if (scene.images.size() > room)
-        return fail(ExitCode::unsupported, "", "",
+        return fail(ErrorKind::unsupported, "", "",
                     "the scene has " + std::to_string(scene.images.size()) + " images, " +
                         device.physical().name + " takes " + std::to_string(room));
     const std::vector<bool> used = used_images(scene);

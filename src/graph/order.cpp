@@ -25,7 +25,7 @@ struct Version {
 using Versions = std::map<std::pair<std::uint32_t, std::uint32_t>, Version>;  // by Ref
 
 tl::unexpected<Error> wrong(const std::string& pass, std::string message) {
-    return fail(ExitCode::internal, "render graph", pass, std::move(message));
+    return fail(ErrorKind::internal, "render graph", pass, std::move(message));
 }
 
 Result<Versions> find_versions(const Declaration& declaration) {

@@ -35,7 +35,7 @@ Result<Image> decode_hdr(Bytes bytes, std::string_view name);
 Result<Image> decode_exr(Bytes bytes, std::string_view name, ExrValues values);
 Result<LayeredImage> decode_layers(Bytes bytes, std::string_view name);
 
-// Fail with ExitCode::unwritable and an empty file name.
+// Fail with ErrorKind::unwritable and an empty file name.
 Result<std::vector<std::byte>> encode_png(const Image& image, bool alpha, const Metadata& metadata);
 Result<std::vector<std::byte>> encode_exr(const Image& image, bool alpha, const Metadata& metadata);
 Result<std::vector<std::byte>> encode_layers(const LayeredImage& picture,

@@ -20,8 +20,8 @@ namespace hm {
 namespace {
 
 tl::unexpected<Error> refuse(std::string_view name, std::string message,
-                             ExitCode code = ExitCode::invalid) {
-    return fail(code, std::string(name), "", "EXR: " + std::move(message));
+                             ErrorKind kind = ErrorKind::invalid) {
+    return fail(kind, std::string(name), "", "EXR: " + std::move(message));
 }
 
 // Which stored channel fills each of R, G, B and A; null where there is none.
@@ -35,7 +35,7 @@ Result<ChannelNames> choose_channels(const Imf::ChannelList& channels, std::stri
     if (has("R") && has("G") && has("B")) return ChannelNames{{"R", "G", "B", alpha}};
     if (has("RY") || has("BY"))
         return refuse(name, "luminance with chroma (Y, RY, BY) is not supported",
-                      ExitCode::unsupported);
+                      ErrorKind::unsupported);
     if (has("Y")) return ChannelNames{{"Y", "Y", "Y", alpha}};
     return refuse(name, "has neither channels R, G and B nor Y");
 }

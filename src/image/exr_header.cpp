@@ -68,8 +68,8 @@ struct Claims {
 };
 
 tl::unexpected<Error> refuse(std::string_view name, std::string message,
-                             ExitCode code = ExitCode::invalid) {
-    return fail(code, std::string(name), "", "EXR: " + std::move(message));
+                             ErrorKind kind = ErrorKind::invalid) {
+    return fail(kind, std::string(name), "", "EXR: " + std::move(message));
 }
 
 struct SizedType {
@@ -172,7 +172,7 @@ Result<void> check_exr_header(Bytes bytes, std::string_view name) {
     if (!magic || !version) return refuse(name, "the header ends early");
     if (*version & (kDeepFlag | kMultiPartFlag))
         return refuse(name, "deep data and files of several parts are not supported",
-                      ExitCode::unsupported);
+                      ErrorKind::unsupported);
 
     Claims claims;
     for (;;) {

@@ -105,8 +105,8 @@ void write_to(ExrOutput& stream, const Imf::Header& header, const Imf::FrameBuff
 }  // tables of offsets are written when the file is closed
 
 tl::unexpected<Error> refuse(std::string_view name, std::string message,
-                             ExitCode code = ExitCode::invalid) {
-    return fail(code, std::string(name), "", "EXR: " + std::move(message));
+                             ErrorKind kind = ErrorKind::invalid) {
+    return fail(kind, std::string(name), "", "EXR: " + std::move(message));
 }
 
 // R G B A, X Y Z, U V u v, then the others by their names.
@@ -132,7 +132,7 @@ Result<std::vector<Incoming>> list_channels(const Imf::ChannelList& list, std::s
     for (auto c = list.begin(); c != list.end(); ++c) {
         const std::string full = c.name();
         if (c.channel().xSampling != 1 || c.channel().ySampling != 1)
-            return refuse(name, "channel " + full + " is subsampled", ExitCode::unsupported);
+            return refuse(name, "channel " + full + " is subsampled", ErrorKind::unsupported);
         const std::size_t dot = full.rfind('.');
         const bool root = dot == full.npos;
         Layer& layer = layer_called(layers, root ? "" : full.substr(0, dot));
@@ -213,7 +213,7 @@ Result<std::vector<std::byte>> encode_layers(const LayeredImage& picture,
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        return fail(ExitCode::unwritable, "", "", std::string("EXR: ") + error.what());
+        return fail(ErrorKind::unwritable, "", "", std::string("EXR: ") + error.what());
     }
 }
 

@@ -183,15 +183,15 @@ TEST(Exr, BlocksOfRowsJoin) {
 }
 
 TEST(Exr, OtherChannelsAreRefused) {
-    const auto expect_refusal = [](const std::vector<ChannelSpec>& channels, ExitCode code) {
+    const auto expect_refusal = [](const std::vector<ChannelSpec>& channels, ErrorKind kind) {
         const auto image =
             read_image(make_file(channels, kWindow, Imf::ZIP_COMPRESSION, false), "f");
         ASSERT_FALSE(image);
-        EXPECT_EQ(image.error().code, code) << image.error().line();
+        EXPECT_EQ(image.error().kind, kind) << image.error().line();
     };
-    expect_refusal({{"Y", kHalf}, {"RY", kHalf}, {"BY", kHalf}}, ExitCode::unsupported);
-    expect_refusal({{"R", kHalf}, {"G", kHalf}}, ExitCode::invalid);
-    expect_refusal({{"depth", kFloat}}, ExitCode::invalid);
+    expect_refusal({{"Y", kHalf}, {"RY", kHalf}, {"BY", kHalf}}, ErrorKind::unsupported);
+    expect_refusal({{"R", kHalf}, {"G", kHalf}}, ErrorKind::invalid);
+    expect_refusal({{"depth", kFloat}}, ErrorKind::invalid);
 }
 
 TEST(Exr, CutIsRefused) {
@@ -224,7 +224,7 @@ TEST(Exr, HeaderThatLiesIsRefused) {
         }
         const auto image = read_image(bytes, "lying");
         ASSERT_FALSE(image) << why;
-        EXPECT_EQ(image.error().code, ExitCode::invalid);
+        EXPECT_EQ(image.error().kind, ErrorKind::invalid);
         EXPECT_NE(image.error().message.find(why), std::string::npos) << image.error().line();
     };
     const std::size_t window = value_of("dataWindow", "box2i");

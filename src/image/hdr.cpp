@@ -65,8 +65,8 @@ class Cursor {
 };
 
 tl::unexpected<Error> refuse(std::string_view name, std::string place, std::string message,
-                             ExitCode code = ExitCode::invalid) {
-    return fail(code, std::string(name), std::move(place), "HDR: " + std::move(message));
+                             ErrorKind kind = ErrorKind::invalid) {
+    return fail(kind, std::string(name), std::move(place), "HDR: " + std::move(message));
 }
 
 // The next number of `text`, which loses it and the blanks before it.
@@ -86,7 +86,7 @@ Result<void> parse_resolution(std::string_view line, std::string_view name, Head
                              line.starts_with("+Y") || line.find("-X") != line.npos;
     if (other_order)
         return refuse(name, "", fmt::format("pixel order \"{}\" is not supported", line),
-                      ExitCode::unsupported);
+                      ErrorKind::unsupported);
     std::string_view rest = line;
     if (rest.starts_with("-Y ")) {
         rest.remove_prefix(3);
@@ -115,7 +115,7 @@ Result<void> parse_variable(std::string_view line, std::string_view name, Header
         if (!value.starts_with("32-bit_rle_rgbe"))
             return refuse(name, "",
                           fmt::format("format \"{}\" is not supported", value.substr(0, 60)),
-                          ExitCode::unsupported);
+                          ErrorKind::unsupported);
     } else if (key == "EXPOSURE" || key == "COLORCORR") {
         const bool per_channel = key == "COLORCORR";
         std::optional<float> factor;

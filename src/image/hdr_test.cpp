@@ -82,10 +82,10 @@ TEST(Hdr, NewRuns) {
 
 TEST(Hdr, BrokenFilesAreRefused) {
     const auto expect_refusal = [](const std::vector<std::byte>& bytes, const char* why,
-                                   ExitCode code = ExitCode::invalid) {
+                                   ErrorKind kind = ErrorKind::invalid) {
         const auto image = read_image(bytes, "f.hdr");
         ASSERT_FALSE(image) << why;
-        EXPECT_EQ(image.error().code, code);
+        EXPECT_EQ(image.error().kind, kind);
         EXPECT_NE(image.error().line().find(why), std::string::npos) << image.error().line();
     };
     expect_refusal(file("#?RADIANCE\n\n", {}), "ends early");
@@ -93,11 +93,11 @@ TEST(Hdr, BrokenFilesAreRefused) {
     expect_refusal(file("#?RADIANCE\n\n-Y 1 +X 2 junk\n", {1, 2, 3, 4}), "is no resolution");
     expect_refusal(file("#?RADIANCE\n\n-Y 1 +X 99999999999\n", {1, 2, 3, 4}), "is no resolution");
     expect_refusal(file("#?RADIANCE\n\n+Y 1 +X 1\n", {1, 2, 3, 4}), "pixel order",
-                   ExitCode::unsupported);
+                   ErrorKind::unsupported);
     expect_refusal(file("#?RADIANCE\n\n+X 1 -Y 1\n", {1, 2, 3, 4}), "pixel order",
-                   ExitCode::unsupported);
+                   ErrorKind::unsupported);
     expect_refusal(file("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n", {1, 2, 3, 4}), "xyze",
-                   ExitCode::unsupported);
+                   ErrorKind::unsupported);
     expect_refusal(file("#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\n", {1, 2, 3, 4}), "EXPOSURE");
     expect_refusal(file("#?RADIANCE\n\n-Y 0 +X 1\n", {}), "no pixels");
     expect_refusal(file("#?RADIANCE\n\n-Y 65536 +X 65536\n", {1, 2, 3, 4}), "in all");

@@ -129,7 +129,7 @@ void cmyk_to_rgba(std::span<std::byte> pixels, bool inverted) {
 }
 
 tl::unexpected<Error> refuse(std::string_view name, std::string message) {
-    return fail(ExitCode::invalid, std::string(name), "", "JPEG: " + std::move(message));
+    return fail(ErrorKind::invalid, std::string(name), "", "JPEG: " + std::move(message));
 }
 
 }  // namespace

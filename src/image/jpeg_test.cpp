@@ -132,7 +132,7 @@ TEST(Jpeg, HeaderThatLiesIsRefused) {
     EXPECT_TRUE(with_size(40, 24));
     const auto refused = [](const Result<Image>& image, const char* why) {
         ASSERT_FALSE(image);
-        EXPECT_EQ(image.error().code, ExitCode::invalid);
+        EXPECT_EQ(image.error().kind, ErrorKind::invalid);
         EXPECT_NE(image.error().message.find(why), std::string::npos) << image.error().line();
     };
     refused(with_size(65500, 65500), "in all");

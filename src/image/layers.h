@@ -77,7 +77,7 @@ struct ExrOptions {
 Result<void> write_layers(const std::filesystem::path& path, const LayeredImage& picture,
                           const ExrOptions& options = {});
 
-// Values as stored. Fails with ExitCode::unreadable, invalid or unsupported (deep data, several
+// Values as stored. Fails with ErrorKind::unreadable, invalid or unsupported (deep data, several
 // parts, subsampled channels).
 Result<LayeredImage> read_layers(const std::filesystem::path& path);
 

@@ -148,10 +148,10 @@ TEST(LayeredImage, BadFilesAreRefused) {
     const Folder folder;
     const auto missing = read_layers(folder / "none.exr");
     ASSERT_FALSE(missing);
-    EXPECT_EQ(missing.error().code, ExitCode::unreadable);
+    EXPECT_EQ(missing.error().kind, ErrorKind::unreadable);
     const auto unwritable = write_layers(folder / "none" / "a.exr", test_picture());
     ASSERT_FALSE(unwritable);
-    EXPECT_EQ(unwritable.error().code, ExitCode::unwritable);
+    EXPECT_EQ(unwritable.error().kind, ErrorKind::unwritable);
 
     LayeredImage picture = test_picture();
     const auto encoded = encode_layers(picture, {ExrCompression::zip, 16});
@@ -159,7 +159,7 @@ TEST(LayeredImage, BadFilesAreRefused) {
     for (std::size_t size = 0; size < encoded->size(); size += 501) {
         const auto cut = decode_layers(std::span(*encoded).first(size), "cut");
         ASSERT_FALSE(cut) << size;
-        EXPECT_EQ(cut.error().code, ExitCode::invalid);
+        EXPECT_EQ(cut.error().kind, ErrorKind::invalid);
     }
     std::vector<std::byte> damaged = *encoded;
     for (std::size_t i = 0; i < damaged.size(); i += 13) {

@@ -47,7 +47,7 @@ TEST(PictureFile, ErrorsNameTheFile) {
     const Folder folder;
     const auto missing = read_picture_file(folder / "none.exr");
     ASSERT_FALSE(missing);
-    EXPECT_EQ(missing.error().code, ExitCode::unreadable);
+    EXPECT_EQ(missing.error().kind, ErrorKind::unreadable);
     EXPECT_NE(missing.error().line().find("none.exr"), std::string::npos);
 }
 

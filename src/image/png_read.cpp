@@ -18,7 +18,7 @@ namespace hm {
 namespace {
 
 tl::unexpected<Error> refuse(std::string_view name, std::string message) {
-    return fail(ExitCode::invalid, std::string(name), "", "PNG: " + std::move(message));
+    return fail(ErrorKind::invalid, std::string(name), "", "PNG: " + std::move(message));
 }
 
 // Wuffs says "#png: bad checksum", "#deflate: bad distance".

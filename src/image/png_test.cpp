@@ -371,7 +371,7 @@ TEST(Png, HeaderThatLiesIsRefused) {
     const auto expect_refusal = [&](std::uint32_t width, std::uint32_t height, const char* why) {
         const auto image = read_image(lying(width, height), "lying");
         ASSERT_FALSE(image);
-        EXPECT_EQ(image.error().code, ExitCode::invalid);
+        EXPECT_EQ(image.error().kind, ErrorKind::invalid);
         EXPECT_NE(image.error().message.find(why), std::string::npos) << image.error().line();
     };
     expect_refusal(65536, 65536, "in all");

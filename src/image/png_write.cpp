@@ -107,7 +107,7 @@ Result<std::vector<std::byte>> encode_png(const Image& image, bool alpha,
     void* encoded = nullptr;
     if (status == SPNG_OK) encoded = spng_get_png_buffer(context.get(), &size, &status);
     if (status != SPNG_OK)
-        return fail(ExitCode::unwritable, "", "", std::string("PNG: ") + spng_strerror(status));
+        return fail(ErrorKind::unwritable, "", "", std::string("PNG: ") + spng_strerror(status));
     const std::unique_ptr<void, decltype(&std::free)> owner(encoded, &std::free);
     const auto* first = static_cast<const std::byte*>(encoded);
     return std::vector<std::byte>(first, first + size);

@@ -20,7 +20,7 @@ bool starts_with(Bytes bytes, std::initializer_list<unsigned> signature) {
 }
 
 tl::unexpected<Error> refuse(std::string_view name, std::string message) {
-    return fail(ExitCode::invalid, std::string(name), "", std::move(message));
+    return fail(ErrorKind::invalid, std::string(name), "", std::move(message));
 }
 
 Result<Image> decode(FileFormat format, Bytes bytes, std::string_view name, ExrValues values) {

@@ -17,8 +17,8 @@ inline constexpr std::uint64_t kMaxImagePixels = 1ull << 28;
 // PNG (every colour type and depth; 16-bit stays 16-bit) or JPEG (grey, YCbCr, RGB, CMYK), as rgba8
 // or rgba16 with the stored, still encoded values. A missing alpha is 1; grey is repeated; embedded
 // colour profiles and gamma are ignored, as glTF asks. `name` is used in messages only.
-// All three may be called from several threads at once. They fail with ExitCode::invalid, or with
-// ExitCode::unsupported where the file is right but says something this program does not read.
+// All three may be called from several threads at once. They fail with ErrorKind::invalid, or with
+// ErrorKind::unsupported where the file is right but says something this program does not read.
 Result<Image> read_texture_image(std::span<const std::byte> bytes, std::string_view name);
 
 // Radiance .hdr (RGBE, flat or run-length coded) or OpenEXR (R, G, B or Y; scan lines or tiles), as

@@ -72,7 +72,7 @@ inline void expect_cuts_refused(Bytes bytes, std::size_t idle = 0) {
         const std::vector<std::byte> cut(bytes.begin(), bytes.begin() + std::ptrdiff_t(size));
         const auto image = read_image(cut, "cut");
         ASSERT_FALSE(image) << "accepted " << size << " of " << bytes.size() << " bytes";
-        ASSERT_EQ(image.error().code, ExitCode::invalid) << image.error().line();
+        ASSERT_EQ(image.error().kind, ErrorKind::invalid) << image.error().line();
         ASSERT_EQ(image.error().file, "cut");
     }
     const std::vector<std::byte> but_one(bytes.begin(), bytes.end() - std::ptrdiff_t(idle + 1));

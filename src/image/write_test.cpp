@@ -19,7 +19,7 @@ TEST(WriteImage, RefusalNamesTheFile) {
              {write_png(path, display, false, {}), write_exr(path, light, false, {}),
               write_hdr(path, light)}) {
             ASSERT_FALSE(written);
-            EXPECT_EQ(written.error().code, ExitCode::unwritable);
+            EXPECT_EQ(written.error().kind, ErrorKind::unwritable);
             EXPECT_EQ(written.error().file, path.string());
         }
     }

@@ -201,7 +201,7 @@ Result<AccelerationStructure> build_tlas(Device& device, const std::string& name
                                          std::span<const TlasInstance> instances,
                                          BuildReport& report) {
     if (instances.size() > device.limits().max_instances)
-        return fail(ExitCode::device_failed, "Vulkan", name,
+        return fail(ErrorKind::device_failed, "Vulkan", name,
                     fmt::format("{} instances; the device takes {}", instances.size(),
                                 device.limits().max_instances));
     HM_TRY_ASSIGN(const Buffer buffer, upload_instances(device, name, instances));

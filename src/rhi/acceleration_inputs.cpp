@@ -65,7 +65,7 @@ Result<Build> plan_blas(const Device& device, const BlasInput& input, bool compa
     const Limits& limits = device.limits();
     if (triangles > limits.max_triangles || input.geometries.size() > limits.max_geometries)
         return fail(
-            ExitCode::device_failed, "Vulkan", input.name,
+            ErrorKind::device_failed, "Vulkan", input.name,
             fmt::format("{} triangles in {} geometries; the device takes {} in {}", triangles,
                         input.geometries.size(), limits.max_triangles, limits.max_geometries));
     ask_sizes(device, build);

@@ -37,7 +37,7 @@ struct Build {
 // Of a build's part of the scratch memory.
 std::uint64_t scratch_alignment(const Device& device);
 
-// Fails with ExitCode::device_failed if it is more than the device takes.
+// Fails with ErrorKind::device_failed if it is more than the device takes.
 Result<Build> plan_blas(const Device& device, const BlasInput& input, bool compact);
 
 // The instances as Vulkan reads them, in memory that a build can read.

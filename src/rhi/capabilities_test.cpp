@@ -84,7 +84,7 @@ TEST(DeviceChoice, SoftwareServesOnlyWhenNamed) {
         device(1, "llvmpipe", DeviceKind::cpu, 10, everything())};
     const Result<PhysicalDevice> best = choose_best(devices);
     ASSERT_FALSE(best.has_value());
-    EXPECT_EQ(best.error().code, ExitCode::no_device);
+    EXPECT_EQ(best.error().kind, ErrorKind::no_device);
     EXPECT_EQ(best.error().line(),
               "Vulkan: no device serves: vulkan:0 (old card) lacks VK_KHR_acceleration_structure; "
               "vulkan:1 (llvmpipe) runs on the CPU, and only serves when it is named");
@@ -105,7 +105,7 @@ TEST(Instance, AMissingLoaderIsNamed) {
     const Result<std::shared_ptr<Instance>> instance =
         Instance::create({.validation = false, .loader = "libno-such-vulkan.so.1"});
     ASSERT_FALSE(instance.has_value());
-    EXPECT_EQ(instance.error().code, ExitCode::no_device);
+    EXPECT_EQ(instance.error().kind, ErrorKind::no_device);
     EXPECT_NE(instance.error().line().find("libno-such-vulkan.so.1"), std::string::npos);
     EXPECT_NE(instance.error().line().find("libvulkan1"), std::string::npos);
 }
@@ -119,11 +119,11 @@ TEST(Instance, ALibraryThatIsNoLoaderIsNamed) {
 
 TEST(Errors, SayTheResultAndTheObject) {
     const Error lost = device_error(VK_ERROR_DEVICE_LOST, "vkQueueSubmit2", "trace");
-    EXPECT_EQ(lost.code, ExitCode::device_failed);
+    EXPECT_EQ(lost.kind, ErrorKind::device_failed);
     EXPECT_EQ(lost.line().find("Vulkan: trace: vkQueueSubmit2 returned VK_ERROR_DEVICE_LOST; "), 0u)
         << lost.line();
-    EXPECT_EQ(device_error(VK_ERROR_FEATURE_NOT_PRESENT, "vkCreateDevice", "x").code,
-              ExitCode::no_device);
+    EXPECT_EQ(device_error(VK_ERROR_FEATURE_NOT_PRESENT, "vkCreateDevice", "x").kind,
+              ErrorKind::no_device);
     EXPECT_EQ(result_name(static_cast<VkResult>(-77)), "VkResult -77");
     EXPECT_TRUE(check(VK_TIMEOUT, "vkWaitSemaphores", "").has_value());
 }

@@ -17,7 +17,7 @@ namespace hm::rhi {
 Result<std::unique_ptr<Device>> Device::create(std::shared_ptr<Instance> instance,
                                                const PhysicalDevice& physical) {
     if (!physical.usable())
-        return fail(ExitCode::no_device, "Vulkan", physical.name,
+        return fail(ErrorKind::no_device, "Vulkan", physical.name,
                     fmt::format("lacks {}", joined(missing(physical.capabilities), ", ")));
     std::unique_ptr<Device> device(new Device);
     device->instance_ = std::move(instance);

@@ -31,7 +31,7 @@ struct MemoryUse {
 
 class Device {
   public:
-    // Fails with ExitCode::no_device if `physical` lacks something required.
+    // Fails with ErrorKind::no_device if `physical` lacks something required.
     static Result<std::unique_ptr<Device>> create(std::shared_ptr<Instance> instance,
                                                   const PhysicalDevice& physical);
     ~Device();

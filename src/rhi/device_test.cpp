@@ -193,7 +193,7 @@ TEST_F(RhiDevice, OutOfMemorySaysHowMuch) {
     const Result<Buffer> buffer =
         Buffer::create(device(), {.name = "a very large scene", .size = std::uint64_t{1} << 50});
     ASSERT_FALSE(buffer.has_value());
-    EXPECT_EQ(buffer.error().code, ExitCode::device_failed);
+    EXPECT_EQ(buffer.error().kind, ErrorKind::device_failed);
     const std::string line = buffer.error().line();
     for (const char* part : {"a very large scene", "VK_ERROR_OUT_OF_DEVICE_MEMORY",
                              "1 PiB were asked for", "are in use"})
@@ -225,7 +225,7 @@ TEST_F(RhiDevice, ADeviceThatLacksSomethingIsNotMade) {
     const Result<std::unique_ptr<Device>> made =
         Device::create(value_of(Instance::create({.validation = false})), physical);
     ASSERT_FALSE(made.has_value());
-    EXPECT_EQ(made.error().code, ExitCode::no_device);
+    EXPECT_EQ(made.error().kind, ErrorKind::no_device);
     EXPECT_EQ(made.error().line(), "Vulkan: " + physical.name + ": lacks scalarBlockLayout");
 }
 
@@ -238,7 +238,7 @@ TEST(RhiInstance, NoDriverIsNamed) {
     if (instance) {
         EXPECT_TRUE(value_of(devices).empty());
     } else {
-        EXPECT_EQ(instance.error().code, ExitCode::no_device);
+        EXPECT_EQ(instance.error().kind, ErrorKind::no_device);
         EXPECT_EQ(instance.error().message, kNoDevices);
     }
 }

@@ -62,8 +62,9 @@ bool means_no_device(VkResult result) {
 }  // namespace
 
 Error device_error(VkResult result, std::string_view call, std::string_view object) {
-    const ExitCode code = means_no_device(result) ? ExitCode::no_device : ExitCode::device_failed;
-    return {code, "Vulkan", std::string(object),
+    const ErrorKind kind =
+        means_no_device(result) ? ErrorKind::no_device : ErrorKind::device_failed;
+    return {kind, "Vulkan", std::string(object),
             fmt::format("{} returned {}{}", call, result_name(result), advice(result))};
 }
 

@@ -1,7 +1,7 @@
 // What a failed Vulkan call becomes: one line with the call, the VkResult's name and the object.
 //
-// ExitCode::no_device: there is no loader, no device, or none that has what we need; another
-// renderer can still draw the picture. ExitCode::device_failed: a device that we had let us down
+// ErrorKind::no_device: there is no loader, no device, or none that has what we need; another
+// renderer can still draw the picture. ErrorKind::device_failed: a device that we had let us down
 // (out of memory, lost); the picture is not finished.
 #pragma once
 

@@ -40,7 +40,7 @@ Result<void> check_supported(const Device& device, const ImageInfo& info) {
         VK_IMAGE_TILING_OPTIMAL, usage_of(info.use), 0, &limits);
     HM_TRY(device.check(result, "vkGetPhysicalDeviceImageFormatProperties", info.name));
     if (info.width <= limits.maxExtent.width && info.height <= limits.maxExtent.height) return {};
-    return fail(ExitCode::device_failed, "Vulkan", info.name,
+    return fail(ErrorKind::device_failed, "Vulkan", info.name,
                 fmt::format("an image of {} x {}; the device takes {} x {}", info.width,
                             info.height, limits.maxExtent.width, limits.maxExtent.height));
 }

@@ -24,7 +24,7 @@ Result<void> open_loader(const std::string& path) {
     void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) {
         const char* reason = dlerror();
-        return fail(ExitCode::no_device, "Vulkan", "",
+        return fail(ErrorKind::no_device, "Vulkan", "",
                     fmt::format("no loader: {}; install the package libvulkan1 or your system's "
                                 "equivalent",
                                 reason != nullptr ? reason : path));
@@ -32,10 +32,10 @@ Result<void> open_loader(const std::string& path) {
     const auto entry =
         reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(library, "vkGetInstanceProcAddr"));
     if (entry == nullptr)
-        return fail(ExitCode::no_device, "Vulkan", "", path + " is not a Vulkan loader");
+        return fail(ErrorKind::no_device, "Vulkan", "", path + " is not a Vulkan loader");
     volkInitializeCustom(entry);
     if (vkEnumerateInstanceVersion == nullptr)
-        return fail(ExitCode::no_device, "Vulkan", "", path + " is older than Vulkan 1.1");
+        return fail(ErrorKind::no_device, "Vulkan", "", path + " is older than Vulkan 1.1");
     return {};
 }
 
@@ -93,7 +93,7 @@ bool InstanceOptions::validation_wanted() {
 Result<std::shared_ptr<Instance>> Instance::create(const InstanceOptions& options) {
     HM_TRY(open_loader(options.loader));
     if (options.validation && !has_layer(kValidationLayer))
-        return fail(ExitCode::no_device, "Vulkan", "",
+        return fail(ErrorKind::no_device, "Vulkan", "",
                     fmt::format("validation is asked for, but {} is not installed (package "
                                 "vulkan-validationlayers)",
                                 kValidationLayer));
@@ -127,7 +127,7 @@ Result<std::shared_ptr<Instance>> Instance::create(const InstanceOptions& option
     const VkResult result = vkCreateInstance(&info, nullptr, &made->instance_);
     // The loader's way to say that it found no driver.
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
-        return fail(ExitCode::no_device, "Vulkan", "", kNoDevices);
+        return fail(ErrorKind::no_device, "Vulkan", "", kNoDevices);
     HM_TRY(check(result, "vkCreateInstance", "the instance"));
     volkLoadInstance(made->instance_);
     if (options.validation) {

@@ -24,7 +24,7 @@ struct InstanceOptions {
 // Shared by the devices made from it. volk's functions are those of the last loader opened.
 class Instance {
   public:
-    // Fails with ExitCode::no_device where there is no loader or no driver.
+    // Fails with ErrorKind::no_device where there is no loader or no driver.
     static Result<std::shared_ptr<Instance>> create(const InstanceOptions& options = {});
     ~Instance();
     Instance(const Instance&) = delete;

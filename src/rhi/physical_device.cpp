@@ -214,22 +214,22 @@ Result<PhysicalDevice> choose_best(std::span<const PhysicalDevice> devices) {
             best = &device;
     }
     if (best != nullptr) return *best;
-    if (devices.empty()) return fail(ExitCode::no_device, "Vulkan", "", kNoDevices);
-    return fail(ExitCode::no_device, "Vulkan", "",
+    if (devices.empty()) return fail(ErrorKind::no_device, "Vulkan", "", kNoDevices);
+    return fail(ErrorKind::no_device, "Vulkan", "",
                 fmt::format("no device serves: {}", joined(reasons, "; ")));
 }
 
 Result<PhysicalDevice> choose_index(std::span<const PhysicalDevice> devices, std::uint32_t index) {
-    if (devices.empty()) return fail(ExitCode::no_device, "Vulkan", "", kNoDevices);
+    if (devices.empty()) return fail(ErrorKind::no_device, "Vulkan", "", kNoDevices);
     const auto found = std::ranges::find(devices, index, &PhysicalDevice::index);
     if (found == devices.end()) {
         std::vector<std::string> labels;
         for (const PhysicalDevice& device : devices)
             labels.push_back(label(device));
-        return fail(ExitCode::no_device, "Vulkan", "",
+        return fail(ErrorKind::no_device, "Vulkan", "",
                     fmt::format("there is no vulkan:{}, only {}", index, joined(labels, ", ")));
     }
-    if (!found->usable()) return fail(ExitCode::no_device, "Vulkan", "", why_not(*found));
+    if (!found->usable()) return fail(ErrorKind::no_device, "Vulkan", "", why_not(*found));
     return *found;
 }
 

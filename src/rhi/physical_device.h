@@ -65,10 +65,10 @@ inline constexpr const char* kNoDevices =
 std::string kind_name(DeviceKind kind);
 
 // The usable device that serves best: a card before an integrated one, then the larger memory.
-// Never one of kind cpu. Fails with ExitCode::no_device and says what each device lacks.
+// Never one of kind cpu. Fails with ErrorKind::no_device and says what each device lacks.
 Result<PhysicalDevice> choose_best(std::span<const PhysicalDevice> devices);
 
-// vulkan:N, of any kind. Fails with ExitCode::no_device if there is no such device or it lacks
+// vulkan:N, of any kind. Fails with ErrorKind::no_device if there is no such device or it lacks
 // something.
 Result<PhysicalDevice> choose_index(std::span<const PhysicalDevice> devices, std::uint32_t index);
 

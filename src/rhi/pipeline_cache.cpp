@@ -114,7 +114,8 @@ Result<void> PipelineCache::save() {
     std::memcpy(bytes.data(), &header, sizeof(header));
     std::error_code error;
     fs::create_directories(file_.parent_path(), error);
-    if (error) return fail(ExitCode::unwritable, file_.parent_path().string(), "", error.message());
+    if (error)
+        return fail(ErrorKind::unwritable, file_.parent_path().string(), "", error.message());
     HM_TRY(write_file_atomically(file_, bytes));
     saved_hash_ = header.hash;
     return {};

@@ -20,7 +20,7 @@ class PipelineCache {
     // warning, and the cache starts empty.
     static Result<PipelineCache> open(Device& device, const std::filesystem::path& folder,
                                       Diagnostics& diagnostics);
-    // Writes the file if there is something new in it. Fails with ExitCode::unwritable.
+    // Writes the file if there is something new in it. Fails with ErrorKind::unwritable.
     Result<void> save();
 
     const std::filesystem::path& file() const { return file_; }

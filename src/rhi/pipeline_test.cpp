@@ -137,7 +137,7 @@ TEST_F(RhiPipeline, ACacheThatCannotBeWrittenIsAnError) {
     const Scale scale(device(), &cache);
     const Result<void> saved = cache.save();
     ASSERT_FALSE(saved.has_value());
-    EXPECT_EQ(saved.error().code, ExitCode::unwritable);
+    EXPECT_EQ(saved.error().kind, ErrorKind::unwritable);
 }
 
 TEST(RhiPipelineCache, FollowsTheUsersCacheFolder) {

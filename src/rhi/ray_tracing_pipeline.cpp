@@ -82,7 +82,7 @@ Result<RayTracingPipeline> RayTracingPipeline::create(Device& device,
                                                       PipelineCache* cache) {
     HM_CHECK(info.layout != nullptr && !info.ray_generation.empty(), "pipeline {}", info.name);
     if (info.max_recursion_depth > device.limits().max_recursion_depth)
-        return fail(ExitCode::no_device, "Vulkan", info.name,
+        return fail(ErrorKind::no_device, "Vulkan", info.name,
                     fmt::format("rays that start {} deep; the device allows {}",
                                 info.max_recursion_depth, device.limits().max_recursion_depth));
     Stages parts{device, info.name, {}, {}, {}};

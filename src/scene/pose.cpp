@@ -80,7 +80,7 @@ void reset_values(Scene& scene) {
 
 Result<void> apply_values(Scene& scene, std::size_t animation, double seconds) {
     const auto overflows = [&](const char* what) {
-        return fail(ExitCode::invalid, scene.file, fmt::format("/animations/{}", animation),
+        return fail(ErrorKind::invalid, scene.file, fmt::format("/animations/{}", animation),
                     fmt::format("{} overflows a 32-bit float at this time", what));
     };
     for (const ValueChannel& channel : scene.animations[animation].values) {
@@ -115,7 +115,7 @@ bool mostly_mirror(const std::vector<glm::mat4>& matrices) {
 }
 
 tl::unexpected<Error> overflows(const Scene& scene, const Node& node, const char* what) {
-    return fail(ExitCode::invalid, scene.file, place_of(node),
+    return fail(ErrorKind::invalid, scene.file, place_of(node),
                 fmt::format("the {} of node \"{}\" overflows a 32-bit float at this time", what,
                             node.name));
 }
@@ -175,7 +175,7 @@ Result<std::size_t> find_animation(const Scene& scene, const std::string& wanted
     const char* const end = wanted.data() + wanted.size();
     const auto [stopped, error] = std::from_chars(wanted.data(), end, index);
     if (error == std::errc() && stopped == end && index < scene.animations.size()) return index;
-    return fail(ExitCode::usage, scene.file, "",
+    return fail(ErrorKind::invalid_argument, scene.file, "",
                 fmt::format("--animation: there is no animation \"{}\"; the file has {}", wanted,
                             known.empty() ? "none" : known));
 }

@@ -20,7 +20,7 @@ struct PoseTime {
 // pose, so what was posed before does not matter. Fails where the animation's values overflow.
 Result<void> pose_scene(Scene& scene, const std::optional<PoseTime>& at);
 
-// The animation of this name or index; the name wins. Fails with ExitCode::usage.
+// The animation of this name or index; the name wins. Fails with ErrorKind::invalid_argument.
 Result<std::size_t> find_animation(const Scene& scene, const std::string& wanted);
 
 }  // namespace hm

@@ -197,7 +197,7 @@ TEST(Posing, OverflowIsAnError) {
     scene.nodes[0].index = 3;
     const auto posed = pose_scene(scene, std::nullopt);
     ASSERT_FALSE(posed);
-    EXPECT_EQ(posed.error().code, ExitCode::invalid);
+    EXPECT_EQ(posed.error().kind, ErrorKind::invalid);
     EXPECT_EQ(posed.error().place, "/nodes/3");
 }
 
@@ -210,7 +210,7 @@ TEST(Posing, AnimationsByNameAndIndex) {
     for (const char* unknown : {"2", "", "-1", "weight"}) {
         const auto found = find_animation(scene, unknown);
         ASSERT_FALSE(found) << unknown;
-        EXPECT_EQ(found.error().code, ExitCode::usage);
+        EXPECT_EQ(found.error().kind, ErrorKind::invalid_argument);
     }
 }
 

@@ -49,7 +49,7 @@ class Compare : public ::testing::Test {
         const Result<ExitCode> code = compare(options);
         printed_ = testing::internal::GetCapturedStdout();
         error_ = code ? "" : code.error().line();
-        return code ? *code : code.error().code;
+        return code ? *code : exit_code(code.error().kind);
     }
 
     CompareOptions pair(const LayeredImage& a, const LayeredImage& b) {
@@ -191,14 +191,14 @@ TEST_F(Compare, TheErrorAsAPicture) {
     a.layers[0].channels[0].values[1] = std::nanf("");
     CompareOptions options = pair(a, picture(0.25f));
     options.error_picture = folder_ / "error.exr";
-    options.error_kind = ErrorKind::rmse;
+    options.error_metric = ErrorMetric::rmse;
     ASSERT_EQ(run(options), ExitCode::ok);
     const auto numbers = read_image(bytes_of_file(options.error_picture), "error.exr");
     ASSERT_TRUE(numbers);
     EXPECT_EQ(component<float>(*numbers, 0, 0), 0.25f);
     EXPECT_TRUE(std::isnan(component<float>(*numbers, 1, 0)));
     options.error_picture = folder_ / "error.png";
-    options.error_kind = ErrorKind::flip;
+    options.error_metric = ErrorMetric::flip;
     ASSERT_EQ(run(options), ExitCode::ok);
     const auto colors = read_image(bytes_of_file(options.error_picture), "error.png");
     ASSERT_TRUE(colors);

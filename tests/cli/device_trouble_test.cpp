@@ -9,11 +9,11 @@
 #include <fstream>
 #include <string>
 
-#include "base/result.h"
+#include "app/cli/exit_code.h"
 
 namespace {
 
-using hm::ExitCode;
+using hm::cli::ExitCode;
 namespace fs = std::filesystem;
 
 struct Outcome {

@@ -40,11 +40,12 @@ Printed run(const Arguments& arguments) {
     for (const std::string& argument : arguments)
         list.push_back(argument.c_str());
     const Result<CommandLine> line = parse_command_line(int(list.size()), list.data());
-    if (!line) return {line.error().code, "", line.error().line()};
+    if (!line) return {exit_code(line.error().kind), "", line.error().line()};
     testing::internal::CaptureStdout();
     const Result<ExitCode> code = line->render ? render(*line->render) : info(*line->info);
     const std::string text = testing::internal::GetCapturedStdout();
-    return code ? Printed{*code, text, ""} : Printed{code.error().code, text, code.error().line()};
+    return code ? Printed{*code, text, ""}
+                : Printed{exit_code(code.error().kind), text, code.error().line()};
 }
 
 bool mentions(const fs::path& path, const std::string& text) {

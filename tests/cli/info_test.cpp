@@ -55,7 +55,7 @@ class Info : public ::testing::Test {
     static Printed run(const InfoOptions& what) {
         ::testing::internal::CaptureStdout();
         const Result<ExitCode> code = info(what);
-        return {code ? int(*code) : int(code.error().code),
+        return {code ? int(*code) : int(exit_code(code.error().kind)),
                 ::testing::internal::GetCapturedStdout()};
     }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,21 +44,21 @@ inline Edit put(std::size_t offset, std::string bytes) {
 struct Expected {
     enum class Outcome { refused, warned, ignored };
     Outcome outcome = Outcome::refused;
-    ExitCode code = ExitCode::ok;
+    std::optional<ErrorKind> kind;
     std::string place;
     std::string message;
     std::string reason;
 };
 
-inline Expected refused(std::string place, std::string message, ExitCode code = ExitCode::invalid) {
-    return {Expected::Outcome::refused, code, std::move(place), std::move(message), {}};
+inline Expected refused(std::string place, std::string message,
+                        ErrorKind kind = ErrorKind::invalid) {
+    return {Expected::Outcome::refused, kind, std::move(place), std::move(message), {}};
 }
 inline Expected warned(std::string place, std::string message, std::string reason) {
-    return {Expected::Outcome::warned, ExitCode::ok, std::move(place), std::move(message),
-            std::move(reason)};
+    return {Expected::Outcome::warned, {}, std::move(place), std::move(message), std::move(reason)};
 }
 inline Expected ignored(std::string reason) {
-    return {Expected::Outcome::ignored, ExitCode::ok, {}, {}, std::move(reason)};
+    return {Expected::Outcome::ignored, {}, {}, {}, std::move(reason)};
 }
 // Why the validator reports no error, empty where it does.
 using Silence = std::string;

@@ -34,12 +34,12 @@ std::string_view name(Expected::Outcome outcome) {
 std::string entry(const Case& c) {
     const Expected& e = c.expected;
     return fmt::format(
-        "  {{\"file\": {}, \"rule\": {}, \"section\": {}, \"loader\": {}, \"code\": {},\n"
+        "  {{\"file\": {}, \"rule\": {}, \"section\": {}, \"loader\": {}, \"kind\": {},\n"
         "   \"place\": {}, \"message\": {}, \"reason\": {},\n"
         "   \"validator\": {}, \"validatorReason\": {}}}",
         json_string(c.file), json_string(c.rule), json_string(c.section),
-        json_string(name(e.outcome)), static_cast<int>(e.code), json_string(e.place),
-        json_string(e.message), json_string(e.reason),
+        json_string(name(e.outcome)), json_string(e.kind ? name_of(*e.kind) : ""),
+        json_string(e.place), json_string(e.message), json_string(e.reason),
         c.validator_silence.empty() ? "\"error\"" : "\"no error\"",
         json_string(c.validator_silence));
 }

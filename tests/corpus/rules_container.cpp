@@ -113,9 +113,9 @@ void add_glb_rules(std::vector<Case>& cases) {
     };
     add("magic", "magic: glTF", patched(0, "glTf"), refused("", "is not valid"));
     add("version-1", "version: 2", patched(4, word(1)),
-        refused("byte 4", "GLB version 1", ExitCode::unsupported));
+        refused("byte 4", "GLB version 1", ErrorKind::unsupported));
     add("version-3", "version: 2", patched(4, word(3)),
-        refused("byte 4", "GLB version 3", ExitCode::unsupported));
+        refused("byte 4", "GLB version 3", ErrorKind::unsupported));
     add("header-cut", "header: 12 bytes", instead("glTF\2"), refused("byte 5", "cut short"));
     add("length-long", "length: that of the file", patched(8, word(1u << 30)),
         refused("byte 8", "the GLB header says"));
@@ -212,7 +212,7 @@ void add_uri_rules(std::vector<Case>& cases) {
     refuse("percent", "a%zz.bin", "RFC 3986", "is not followed by two hexadecimal digits");
     refuse("zero-byte", "a%00.bin", "is a path", "the path holds a zero byte");
     refuse("missing-file", "absent.bin", "is read from beside the file", "")
-        .expect(refused("/buffers/0/uri", "absent.bin", ExitCode::unreadable));
+        .expect(refused("/buffers/0/uri", "absent.bin", ErrorKind::unreadable));
 }
 
 }  // namespace hm::corpus

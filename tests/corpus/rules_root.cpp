@@ -22,11 +22,11 @@ void add_asset_rules(std::vector<Case>& cases) {
     asset.value("minVersion", "pattern", R"("2.x")", "matches ^[0-9]+\\.[0-9]+$", "is no version");
     asset.rule("minVersion-above", "minVersion: is not greater than version",
                {set("/asset/minVersion", R"("2.1")")},
-               refused("/asset/minVersion", "needs glTF 2.1", ExitCode::unsupported));
+               refused("/asset/minVersion", "needs glTF 2.1", ErrorKind::unsupported));
     asset.rule("version-1", "version: the file is glTF 2", {set("/asset/version", R"("1.0")")},
-               refused("/asset/version", "only 2.x is read", ExitCode::unsupported));
+               refused("/asset/version", "only 2.x is read", ErrorKind::unsupported));
     asset.rule("version-3", "version: the file is glTF 2", {set("/asset/version", R"("3.0")")},
-               refused("/asset/version", "only 2.x is read", ExitCode::unsupported));
+               refused("/asset/version", "only 2.x is read", ErrorKind::unsupported));
     asset.text("generator");
     asset.text("copyright");
     asset.common(false);
@@ -61,7 +61,7 @@ void add_extension_lists(std::vector<Case>& cases) {
     root.rule("extensionsRequired-unknown", "extensionsRequired: a renderer has them all",
               {set("/extensionsUsed/4", R"("EXT_unknown")"),
                set("/extensionsRequired", R"(["EXT_unknown"])")},
-              refused("/extensionsRequired", "EXT_unknown", ExitCode::unsupported))
+              refused("/extensionsRequired", "EXT_unknown", ErrorKind::unsupported))
         .silent("what a renderer supports is not the validator's business");
 }
 

@@ -40,7 +40,7 @@ void add_image_rules(std::vector<Case>& cases) {
     linked
         .value("uri", "webp", json_string(data_uri("RIFF    WEBPVP8 ")), "is a PNG or a JPEG",
                "is a WebP image")
-        .expect(refused("/images/1/uri", "is a WebP image", ExitCode::unsupported));
+        .expect(refused("/images/1/uri", "is a WebP image", ErrorKind::unsupported));
 }
 
 void add_sampler_rules(std::vector<Case>& cases) {

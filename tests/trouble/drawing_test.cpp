@@ -150,7 +150,7 @@ void Drawing::sweep_without_fallback(VkResult result) {
             return;
         }
         expect_named(*error, result);
-        EXPECT_EQ(error->code, ExitCode::device_failed);
+        EXPECT_EQ(error->kind, ErrorKind::device_failed);
         EXPECT_TRUE(same_bits(film, none) || same_bits(film, first)) << error->line();
     });
 }

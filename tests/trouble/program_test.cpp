@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "base/result.h"
+#include "app/cli/exit_code.h"
 #include "film/store.h"
 #include "image/layers.h"
 #include "keep/pictures.h"
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(BadMachine, EndsAPictureOfANamedGpuWithItsOwnExitCode) {
     const Outcome outcome = run_in(GetParam(), drawing("vulkan", output_));
-    EXPECT_EQ(outcome.code, int(ExitCode::device_failed)) << outcome.text;
+    EXPECT_EQ(outcome.code, int(cli::ExitCode::device_failed)) << outcome.text;
     const std::string result = GetParam().substr(0, GetParam().find(' '));
     EXPECT_EQ(count(outcome.text, "himalaya: error: Vulkan: "), 1) << outcome.text;
     EXPECT_EQ(count(outcome.text, " returned " + result), 1) << outcome.text;
@@ -83,7 +83,7 @@ TEST_P(BadMachine, LeavesAPictureOfAutoToTheCpu) {
 
 TEST_P(BadMachine, IsFoundByTheDoctor) {
     const Outcome outcome = run_in(GetParam(), {"doctor", "--json"});
-    EXPECT_EQ(outcome.code, int(ExitCode::device_failed)) << outcome.text;
+    EXPECT_EQ(outcome.code, int(cli::ExitCode::device_failed)) << outcome.text;
 }
 
 // A checkpoint is written as often as it can be, so the film has some of the device's samples.
@@ -101,7 +101,7 @@ class Checkpoints : public testing::Test {
 
 TEST_F(Checkpoints, HoldWhatALostDeviceHadDrawn) {
     const Outcome lost = run_in(lost_at(40), keeping("vulkan"));
-    EXPECT_EQ(lost.code, int(ExitCode::device_failed)) << lost.text;
+    EXPECT_EQ(lost.code, int(cli::ExitCode::device_failed)) << lost.text;
     EXPECT_EQ(count(lost.text, " returned VK_ERROR_DEVICE_LOST"), 1) << lost.text;
     EXPECT_EQ(count(lost.text, "; what there was by then, "), 1) << lost.text;
     EXPECT_EQ(count(lost.text, "himalaya: interrupted at "), 1) << lost.text;
@@ -135,7 +135,7 @@ TEST_F(Checkpoints, HoldTheSamplesOfBothWhereTheCpuGoesOn) {
 TEST(BadBench, SaysWhatFailed) {
     const Outcome outcome =
         run_in(lost_at(20), {"bench", "demo:cornell", "--size", "16x16", "--device", "vulkan"});
-    EXPECT_EQ(outcome.code, int(ExitCode::device_failed)) << outcome.text;
+    EXPECT_EQ(outcome.code, int(cli::ExitCode::device_failed)) << outcome.text;
     EXPECT_EQ(count(outcome.text, " returned VK_ERROR_DEVICE_LOST"), 1) << outcome.text;
 }
 

@@ -48,7 +48,8 @@ void expect_named(const Error& error, VkResult result) {
     };
     EXPECT_TRUE(names(result) || (by_allocator && names(VK_ERROR_OUT_OF_DEVICE_MEMORY))) << line;
     EXPECT_FALSE(error.place.empty()) << line;
-    EXPECT_TRUE(error.code == ExitCode::device_failed || error.code == ExitCode::no_device) << line;
+    EXPECT_TRUE(error.kind == ErrorKind::device_failed || error.kind == ErrorKind::no_device)
+        << line;
     EXPECT_EQ(line.find('\n'), std::string::npos) << line;
 }
 

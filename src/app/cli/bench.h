@@ -1,6 +1,7 @@
 // `himalaya bench`: how fast a device draws scenes, as JSON.
 #pragma once
 
+#include "app/cli/exit_code.h"
 #include "app/cli/options.h"
 
 namespace hm::cli {

@@ -9,7 +9,7 @@ namespace hm::cli {
 namespace {
 
 tl::unexpected<Error> refuse(const std::filesystem::path& path, std::string message) {
-    return fail(ExitCode::usage, path.string(), "", std::move(message));
+    return fail(ErrorKind::invalid_argument, path.string(), "", std::move(message));
 }
 
 Result<void> check_frame(const FilmRecord& record, const RenderOptions& options) {

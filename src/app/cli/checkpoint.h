@@ -24,7 +24,8 @@ Result<std::optional<Checkpoint>> read_checkpoint(
     const RenderOptions& options, const std::function<void(std::string_view)>& note);
 
 // Whether samples of this device can be added to the checkpoint's for the picture that `now` says
-// and that `film`, still empty, is for. Fails with ExitCode::usage, naming what differs.
+// and that `film`, still empty, is for. Fails with ErrorKind::invalid_argument, naming what
+// differs.
 Result<void> check_resumable(const Checkpoint& checkpoint, const RenderOptions& options,
                              const Settings& now, const std::string& device, const Film& film);
 

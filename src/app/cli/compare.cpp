@@ -29,7 +29,7 @@ std::string size_of(const LayeredImage& p) {
 // What makes two pictures incomparable as a whole.
 Result<void> check_pair(const CompareOptions& options, const PictureFile& a, const PictureFile& b) {
     const auto refuse = [&](std::string why) {
-        return fail(ExitCode::invalid, options.test.string(), "", std::move(why));
+        return fail(ErrorKind::invalid, options.test.string(), "", std::move(why));
     };
     const std::string other = options.reference.string();
     if (!(a.picture.data == b.picture.data))
@@ -69,7 +69,7 @@ Result<const Layer*> find_layer(const LayeredImage& picture, const std::string& 
                                 const std::filesystem::path& file) {
     if (const Layer* layer = picture.find(name == "beauty" ? "" : name)) return layer;
     if (const Layer* layer = picture.find(name)) return layer;
-    return fail(ExitCode::invalid, file.string(), "",
+    return fail(ErrorKind::invalid, file.string(), "",
                 fmt::format("has no layer \"{}\"; there are {}", name, list_of_layers(picture)));
 }
 
@@ -131,7 +131,7 @@ Result<void> check_z_test(const CompareOptions& options, const PictureFile& a,
 Result<void> write_error_picture(const std::filesystem::path& path, const LayerError& layer) {
     const Plane& error = layer.picture;
     if (error.values.empty())
-        return fail(ExitCode::usage, "", "",
+        return fail(ErrorKind::invalid_argument, "", "",
                     fmt::format("--error: FLIP is of colours, which {} has not; use rmse or relmse",
                                 layer.name));
     if (picture_kind(path) == PictureKind::png) return write_png(path, magma(error), false, {});
@@ -160,11 +160,11 @@ void add_compare_flags(CLI::App& app, CompareOptions& o) {
         "yellow (1), green where a value is not finite. .exr: the numbers");
     picture->type_name("PATH");
     const auto kind = [](const std::string& text) {
-        return parse_choice<ErrorKind>(
-            text,
-            {{"flip", ErrorKind::flip}, {"rmse", ErrorKind::rmse}, {"relmse", ErrorKind::relmse}});
+        return parse_choice<ErrorMetric>(text, {{"flip", ErrorMetric::flip},
+                                                {"rmse", ErrorMetric::rmse},
+                                                {"relmse", ErrorMetric::relmse}});
     };
-    add(app, "--error", "NAME", o.error_kind, kind,
+    add(app, "--error", "NAME", o.error_metric, kind,
         "What that picture shows: flip (the default), rmse or relmse")
         ->needs(picture);
     const auto limit = [](const std::string& text) { return parse_number(text, 0, 1e30f); };
@@ -191,8 +191,9 @@ Result<ExitCode> compare(const CompareOptions& options) {
     HM_TRY_ASSIGN(const Pairs pairs, choose_layers(options, a.picture, b.picture, report));
     for (const auto& [test, reference] : pairs) {
         const bool first = report.layers.empty() && !options.error_picture.empty();
-        report.layers.push_back(measure({a.picture, *test, b.picture, *reference, a.encoded},
-                                        first ? std::optional(options.error_kind) : std::nullopt));
+        report.layers.push_back(
+            measure({a.picture, *test, b.picture, *reference, a.encoded},
+                    first ? std::optional(options.error_metric) : std::nullopt));
         if (first) HM_TRY(write_error_picture(options.error_picture, report.layers[0]));
         check_limits(options, report.layers.back(), report.exceeded);
     }

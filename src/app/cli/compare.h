@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/exit_code.h"
 #include "app/cli/measure.h"
-#include "base/result.h"
 
 namespace hm::cli {
 
@@ -16,7 +16,7 @@ struct CompareOptions {
     std::filesystem::path test, reference;
     std::vector<std::string> layers;  // empty: the beauty; "all": every layer of either
     std::filesystem::path error_picture;
-    ErrorKind error_kind = ErrorKind::flip;
+    ErrorMetric error_metric = ErrorMetric::flip;
     std::optional<float> max_rmse, max_relmse, max_flip;
     bool z_test = false;  // both must carry variance, and agree
     bool json = false;

@@ -61,7 +61,7 @@ class FlagReader {
 
   private:
     tl::unexpected<Error> broken(std::string_view expected) const {
-        return fail(ExitCode::invalid, file_, fmt::format("byte {}", at_),
+        return fail(ErrorKind::invalid, file_, fmt::format("byte {}", at_),
                     fmt::format("{} is expected in an object of strings", expected));
     }
 
@@ -126,7 +126,7 @@ Result<Demo> find_demo(std::string_view name) {
             if (flag == "env" && value != "none") value = (folder / value).string();
         return demo;
     }
-    return fail(ExitCode::unreadable, fmt::format("{}{}", kDemoPrefix, name), "",
+    return fail(ErrorKind::unreadable, fmt::format("{}{}", kDemoPrefix, name), "",
                 "there is no such demo; " + known_demos(folders));
 }
 

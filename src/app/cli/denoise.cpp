@@ -19,7 +19,7 @@ namespace hm::cli {
 namespace {
 
 tl::unexpected<Error> lacks(std::string what) {
-    return fail(ExitCode::invalid, "", "", std::move(what));
+    return fail(ErrorKind::invalid, "", "", std::move(what));
 }
 
 Result<Image> guide(const LayeredImage& picture, const char* name) {
@@ -151,7 +151,7 @@ Result<ExitCode> denoise(const DenoiseOptions& options) {
     HM_TRY_ASSIGN(const Denoiser denoiser, Denoiser::open(options.device, options.threads));
     Result<Denoised> denoised = denoise_layers(denoiser, picture, options.guidance);
     if (!denoised) {
-        if (denoised.error().code == ExitCode::invalid)
+        if (denoised.error().kind == ErrorKind::invalid)
             denoised.error().file = options.input.string();
         return tl::unexpected(std::move(denoised.error()));
     }

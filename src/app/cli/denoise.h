@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
+#include "app/cli/exit_code.h"
 #include "film/denoise.h"
 #include "image/layers.h"
 #include "shading/color.h"
@@ -36,7 +36,7 @@ struct DenoiseOptions {
 };
 
 // Denoises the picture proper, guided by the layers albedo and normal, into the layer "denoised"
-// and says so in the metadata. Fails with ExitCode::invalid and no file's name where a layer is
+// and says so in the metadata. Fails with ErrorKind::invalid and no file's name where a layer is
 // missing.
 Result<Denoised> denoise_layers(const Denoiser& denoiser, LayeredImage& picture,
                                 const Guidance& guidance);

@@ -47,7 +47,7 @@ using OpenVulkan = std::function<Result<std::unique_ptr<Device>>(std::optional<s
 using Note = std::function<void(std::string_view)>;
 
 // auto: the best GPU, or the CPU where there is none or where the GPU fails later; `note` gets one
-// line about either. vulkan never falls back: it fails with ExitCode::no_device or device_failed.
+// line about either. vulkan never falls back: it fails with ErrorKind::no_device or device_failed.
 // `open_vulkan` opens the best GPU, or the device of an index.
 Result<std::unique_ptr<Device>> choose_device(const DeviceFlag& wanted, unsigned threads,
                                               const OpenVulkan& open_vulkan, const Note& note);

@@ -12,8 +12,8 @@
 namespace hm::cli {
 namespace {
 
-const Error kLost{ExitCode::device_failed, "", "", "vkQueueSubmit2: VK_ERROR_DEVICE_LOST"};
-const Error kNone{ExitCode::no_device, "", "", "no Vulkan loader"};
+const Error kLost{ErrorKind::device_failed, "", "", "vkQueueSubmit2: VK_ERROR_DEVICE_LOST"};
+const Error kNone{ErrorKind::no_device, "", "", "no Vulkan loader"};
 
 // Adds its step to each pixel per sample. Keeps sums of its own until sync, as a GPU does; fails at
 // the call of the given number, if any.
@@ -112,7 +112,7 @@ TEST(DeviceChoice, VulkanNeverFallsBack) {
     const DeviceFlag wanted{DeviceFlag::Kind::vulkan, {}};
     const auto none = choose_device(wanted, 1, open_none, lines.note());
     ASSERT_FALSE(none);
-    EXPECT_EQ(none.error().code, ExitCode::no_device);
+    EXPECT_EQ(none.error().kind, ErrorKind::no_device);
     const auto gpu = choose_device(wanted, 1, open_fake, lines.note());
     ASSERT_TRUE(gpu);
     const auto renderer = (*gpu)->load({});

@@ -7,7 +7,7 @@
 namespace hm::cli {
 
 bool is_device_trouble(const Error& error) {
-    return error.code == ExitCode::no_device || error.code == ExitCode::device_failed;
+    return error.kind == ErrorKind::no_device || error.kind == ErrorKind::device_failed;
 }
 
 FallbackRenderer::FallbackRenderer(std::unique_ptr<Renderer> first, Replace replace)

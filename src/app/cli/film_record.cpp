@@ -129,7 +129,7 @@ Result<FilmRecord> from_notes(const Metadata& notes, const std::string& file) {
                     reader.list("names.assets")};
     if (reader.find("frame")) reader.read("frame", record.frame.emplace());
     if (!reader.wrong().empty())
-        return fail(ExitCode::invalid, file, "", fmt::format("has no {}", reader.wrong()));
+        return fail(ErrorKind::invalid, file, "", fmt::format("has no {}", reader.wrong()));
     record.alpha = reader.find("alpha") != nullptr;
     record.auto_exposure = reader.find("auto_exposure") != nullptr;
     for (auto& [number, device] : notes_below(notes, kDevice))

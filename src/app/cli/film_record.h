@@ -33,7 +33,7 @@ struct FilmRecord {
 
 Metadata to_notes(const FilmRecord& record);
 
-// `file` is for messages. Fails with ExitCode::invalid.
+// `file` is for messages. Fails with ErrorKind::invalid.
 Result<FilmRecord> from_notes(const Metadata& notes, const std::string& file);
 
 // "NVIDIA H200, then CPU".

@@ -25,7 +25,7 @@ std::filesystem::path frame_path(const std::filesystem::path& pattern, std::uint
 RenderOptions frame_options(const RenderOptions& options, std::uint32_t number);
 
 // Where and when the scene's animation stands; nothing for the rest pose. Fails with
-// ExitCode::usage where the scene does not have the animation.
+// ErrorKind::invalid_argument where the scene does not have the animation.
 Result<std::optional<PoseTime>> choose_pose(const RenderOptions& options, const Scene& scene,
                                             Diagnostics& diagnostics);
 

@@ -61,7 +61,7 @@ TEST(Frames, PosesOfTheFirstOrTheNamedAnimation) {
     options.animation = "run";
     EXPECT_EQ(choose_pose(options, scene, diagnostics).value()->animation, 1u);
     options.animation = "swim";
-    EXPECT_EQ(choose_pose(options, scene, diagnostics).error().code, ExitCode::usage);
+    EXPECT_EQ(choose_pose(options, scene, diagnostics).error().kind, ErrorKind::invalid_argument);
 }
 
 }  // namespace

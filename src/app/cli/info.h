@@ -1,6 +1,7 @@
 // `himalaya info`: what is in a scene file, and what of it this program draws.
 #pragma once
 
+#include "app/cli/exit_code.h"
 #include "app/cli/options.h"
 
 namespace hm::cli {

@@ -184,7 +184,7 @@ void write_error(JsonWriter& json, const std::optional<Error>& error) {
         json.null();
         return;
     }
-    json.begin_object().field("code", unsigned(error->code)).field("file", error->file);
+    json.begin_object().field("code", unsigned(exit_code(error->kind))).field("file", error->file);
     json.field("place", error->place).field("message", error->message).end_object();
 }
 

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <csignal>
 
-#include "base/result.h"
+#include "app/cli/exit_code.h"
 
 namespace hm::cli {
 namespace {

@@ -52,7 +52,7 @@ void add_keep_flags(CLI::App& app, KeepOptions& o) {
 Result<void> check_keep_options(const RenderOptions& options) {
     const KeepOptions& o = options.keep;
     const auto usage = [](std::string message) {
-        return fail(ExitCode::usage, "", "", std::move(message));
+        return fail(ErrorKind::invalid_argument, "", "", std::move(message));
     };
     if (o.any_device && o.resume.empty()) return usage("--any-device: is for --resume");
     if (o.checkpoint.empty()) {
@@ -64,7 +64,7 @@ Result<void> check_keep_options(const RenderOptions& options) {
             return usage(fmt::format("--checkpoint: \"{}\" is an output, too", path.string()));
     std::error_code unknown;
     if (o.checkpoint != o.resume && std::filesystem::exists(o.checkpoint, unknown))
-        return fail(ExitCode::usage, o.checkpoint.string(), "",
+        return fail(ErrorKind::invalid_argument, o.checkpoint.string(), "",
                     "exists already: --resume goes on with it, or remove it to begin anew");
     return check_writable(o.checkpoint);
 }

@@ -62,7 +62,7 @@ Result<void> check_layer_options(const LayerOptions& options) {
         return {};
     for (const Aov aov : options.aovs)
         if (needs_every_bit(aov))
-            return fail(ExitCode::usage, "", "",
+            return fail(ErrorKind::invalid_argument, "", "",
                         fmt::format("--exr-compression: changes values, and {} does not bear it; "
                                     "use none, rle, zips, zip or piz",
                                     aov_info(aov).name));

@@ -20,7 +20,7 @@ namespace {
 
 using namespace hm;
 
-Result<ExitCode> run(int count, const char* const* arguments) {
+Result<cli::ExitCode> run(int count, const char* const* arguments) {
     HM_TRY_ASSIGN(const cli::CommandLine line, cli::parse_command_line(count, arguments));
     if (line.render) return cli::render(*line.render);
     if (line.info) return cli::info(*line.info);
@@ -30,10 +30,10 @@ Result<ExitCode> run(int count, const char* const* arguments) {
     if (line.denoise) return cli::denoise(*line.denoise);
     if (line.merge) return cli::merge(*line.merge);
     HM_TRY(cli::print(line.text));
-    return ExitCode::ok;
+    return cli::ExitCode::ok;
 }
 
-int complain(ExitCode code, std::string_view line) {
+int complain(cli::ExitCode code, std::string_view line) {
     cli::tell(fmt::format("himalaya: error: {}\n", printable(line)));
     return int(code);
 }
@@ -43,11 +43,11 @@ int complain(ExitCode code, std::string_view line) {
 int main(int count, char** arguments) {
     cli::ignore_write_signals();
     try {
-        const Result<ExitCode> code = run(count, arguments);
-        return code ? int(*code) : complain(code.error().code, code.error().line());
+        const Result<cli::ExitCode> code = run(count, arguments);
+        return code ? int(*code) : complain(cli::exit_code(code.error().kind), code.error().line());
     } catch (const std::bad_alloc&) {
-        return complain(ExitCode::internal, "there is not enough memory");
+        return complain(cli::ExitCode::internal, "there is not enough memory");
     } catch (const std::exception& error) {
-        return complain(ExitCode::internal, error.what());
+        return complain(cli::ExitCode::internal, error.what());
     }
 }

@@ -101,7 +101,7 @@ vec3 decoded(vec3 c) {
     return vec3(srgb_to_linear(c.x), srgb_to_linear(c.y), srgb_to_linear(c.z));
 }
 
-void measure_colors(const LayerPair& pair, const Mask& finite, std::optional<ErrorKind> picture,
+void measure_colors(const LayerPair& pair, const Mask& finite, std::optional<ErrorMetric> picture,
                     LayerError& error) {
     const Image a = color_image(pair.test_file, pair.test, finite);
     const Image b = color_image(pair.reference_file, pair.reference, finite);
@@ -132,7 +132,7 @@ void measure_colors(const LayerPair& pair, const Mask& finite, std::optional<Err
     if (!pair.encoded && pair.test.name.empty() && variance_a && variance_b)
         error.z_test = z_test(a, layer_image(pair.test_file, *variance_a), b,
                               layer_image(pair.reference_file, *variance_b));
-    if (picture == ErrorKind::flip) error.picture = std::move(flip);
+    if (picture == ErrorMetric::flip) error.picture = std::move(flip);
 }
 
 }  // namespace
@@ -141,7 +141,7 @@ std::string shown_name(const Layer& layer) {
     return layer.name.empty() ? "beauty" : layer.name;
 }
 
-LayerError measure(const LayerPair& pair, std::optional<ErrorKind> picture) {
+LayerError measure(const LayerPair& pair, std::optional<ErrorMetric> picture) {
     LayerError error;
     error.name = shown_name(pair.test);
     if (pair.test.name != pair.reference.name)
@@ -157,11 +157,11 @@ LayerError measure(const LayerPair& pair, std::optional<ErrorKind> picture) {
         if (alpha_a && alpha_b) error.alpha_rmse = stored_error({{alpha_a, alpha_b}}, finite).rmse;
         measure_colors(pair, finite, picture, error);
     }
-    if (picture == ErrorKind::rmse || picture == ErrorKind::relmse) {
+    if (picture == ErrorMetric::rmse || picture == ErrorMetric::relmse) {
         const Image a = layer_image(pair.test_file, pair.test);
         const Image b = layer_image(pair.reference_file, pair.reference);
         error.picture =
-            picture == ErrorKind::rmse ? absolute_error(a, b) : relative_squared_error(a, b);
+            picture == ErrorMetric::rmse ? absolute_error(a, b) : relative_squared_error(a, b);
     }
     if (!error.picture.values.empty())
         for (std::size_t i = 0; i < finite.size(); ++i)

@@ -13,7 +13,7 @@
 
 namespace hm::cli {
 
-enum class ErrorKind { flip, rmse, relmse };
+enum class ErrorMetric { flip, rmse, relmse };
 
 // Two layers of one size and with the same channels.
 struct LayerPair {
@@ -46,6 +46,6 @@ struct LayerError {
 std::string shown_name(const Layer& layer);
 
 // `picture` is the kind of error to make a picture of.
-LayerError measure(const LayerPair& pair, std::optional<ErrorKind> picture);
+LayerError measure(const LayerPair& pair, std::optional<ErrorMetric> picture);
 
 }  // namespace hm::cli

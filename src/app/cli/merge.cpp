@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 tl::unexpected<Error> refuse(const fs::path& path, std::string message) {
-    return fail(ExitCode::usage, path.string(), "", std::move(message));
+    return fail(ErrorKind::invalid_argument, path.string(), "", std::move(message));
 }
 
 struct Part {

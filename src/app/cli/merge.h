@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "base/result.h"
+#include "app/cli/exit_code.h"
 
 namespace hm::cli {
 

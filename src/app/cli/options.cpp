@@ -176,7 +176,7 @@ Result<CommandLine> parse_with_demo(const Arguments& arguments, const RenderOpti
         return line;
     } catch (const CLI::ParseError& error) {
         // The command line alone was fine, so this comes from the demo's flags.
-        return fail(ExitCode::invalid,
+        return fail(ErrorKind::invalid,
                     std::filesystem::path(demo.scene).replace_extension(".json").string(), "",
                     error.what());
     }
@@ -205,7 +205,7 @@ Result<CommandLine> parse_command_line(int count, const char* const* arguments) 
         if (line.render) HM_TRY(check_render_options(*line.render));
         return line;
     } catch (const CLI::ParseError& error) {
-        return fail(ExitCode::usage, "", "", error.what());
+        return fail(ErrorKind::invalid_argument, "", "", error.what());
     }
 }
 

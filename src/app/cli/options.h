@@ -149,7 +149,7 @@ struct CommandLine {
     std::string text;  // help or version, to be printed instead
 };
 
-// Fails with ExitCode::usage, or with a demo's own error.
+// Fails with ErrorKind::invalid_argument, or with a demo's own error.
 Result<CommandLine> parse_command_line(int count, const char* const* arguments);
 
 // As `himalaya render` has them without flags, a demo's own included; no output.

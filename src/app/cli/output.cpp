@@ -6,7 +6,7 @@ namespace hm::cli {
 
 Result<void> print(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-        return fail(ExitCode::unwritable, "standard output", "", "can't be written");
+        return fail(ErrorKind::unwritable, "standard output", "", "can't be written");
     return {};
 }
 

@@ -7,7 +7,7 @@
 
 namespace hm::cli {
 
-// Fails with ExitCode::unwritable.
+// Fails with ErrorKind::unwritable.
 Result<void> print(std::string_view text);
 
 // On standard error. Whether anybody listens ends no work.

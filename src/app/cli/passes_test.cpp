@@ -6,7 +6,7 @@
 namespace hm::cli {
 namespace {
 
-const Error kLost{ExitCode::device_failed, "Vulkan", "trace", "VK_ERROR_DEVICE_LOST"};
+const Error kLost{ErrorKind::device_failed, "Vulkan", "trace", "VK_ERROR_DEVICE_LOST"};
 
 // Counts samples like a GPU: the film has them from the next sync on. Fails at one sample.
 class FailingRenderer final : public Renderer {

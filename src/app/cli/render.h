@@ -1,6 +1,7 @@
 // `himalaya render`: a scene file to pictures.
 #pragma once
 
+#include "app/cli/exit_code.h"
 #include "app/cli/options.h"
 
 namespace hm::cli {

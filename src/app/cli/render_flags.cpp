@@ -223,7 +223,7 @@ void add_render_flags(CLI::App& app, RenderOptions& options) {
 
 Result<void> check_render_options(const RenderOptions& o) {
     const auto usage = [](std::string message) {
-        return fail(ExitCode::usage, "", "", std::move(message));
+        return fail(ErrorKind::invalid_argument, "", "", std::move(message));
     };
     if (o.crop && (o.crop->x1 > o.width || o.crop->y1 > o.height))
         return usage(

@@ -12,7 +12,7 @@ void add_render_flags(CLI::App& app, RenderOptions& options);
 
 void add_device_flag(CLI::App& app, DeviceFlag& device);
 
-// What no single flag can tell. Fails with ExitCode::usage or, for outputs, unwritable.
+// What no single flag can tell. Fails with ErrorKind::invalid_argument or, for outputs, unwritable.
 Result<void> check_render_options(const RenderOptions& options);
 
 }  // namespace hm::cli

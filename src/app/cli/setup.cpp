@@ -55,7 +55,7 @@ Result<std::size_t> find_camera(const std::string& wanted, const Scene& scene,
     std::string known;
     for (std::size_t i = 0; i < nodes.size(); ++i)
         known += fmt::format("{}{} \"{}\"", i == 0 ? "" : ", ", i, name_of(scene, nodes[i]));
-    return fail(ExitCode::usage, scene.file, "",
+    return fail(ErrorKind::invalid_argument, scene.file, "",
                 fmt::format("--camera: there is no camera \"{}\"; the file has {}", wanted,
                             known.empty() ? "none" : known));
 }
@@ -71,7 +71,7 @@ Result<CameraChoice> file_camera(const ViewOptions& view, const Scene& scene,
     const std::size_t node = nodes[chosen];
     Camera camera = camera_of(scene, node);
     if (view.fov && !camera.perspective)
-        return fail(ExitCode::usage, scene.file, "",
+        return fail(ErrorKind::invalid_argument, scene.file, "",
                     "--fov: the chosen camera is orthographic and has no field of view");
     if (view.fov) camera.yfov = radians_of(*view.fov);
     CameraChoice choice{camera_from_node(camera, world[node], aspect),
@@ -112,7 +112,8 @@ Result<CameraChoice> choose_camera(const ViewOptions& view, const Scene& scene,
         const vec3 middle = bounds.empty() ? vec3(0) : bounds.center();
         const vec3 target = view.target.value_or(middle);
         if (target == *view.eye)
-            return fail(ExitCode::usage, "", "", "--eye: is the scene's middle; give a --target");
+            return fail(ErrorKind::invalid_argument, "", "",
+                        "--eye: is the scene's middle; give a --target");
         choice = {camera_look_at(*view.eye, target, view.up.value_or(vec3(0, 1, 0)), fov, aspect),
                   "look-at"};
     } else if (!nodes.empty() || !view.camera.empty()) {

@@ -27,8 +27,8 @@ struct CameraChoice {
 // The flags that give this view again; empty for an orthographic camera, which has none.
 std::string view_flags(const CameraData& camera);
 
-// Fails with ExitCode::usage where the flags do not fit the scene. `world` has the nodes'
-// transforms where they are not those of the scene's own pose.
+// Fails with ErrorKind::invalid_argument where the flags do not fit the scene. `world` has the
+// nodes' transforms where they are not those of the scene's own pose.
 Result<CameraChoice> choose_camera(const ViewOptions& view, const Scene& scene,
                                    const Bounds& bounds, float aspect);
 Result<CameraChoice> choose_camera(const ViewOptions& view, const Scene& scene,

@@ -25,7 +25,7 @@ struct VulkanDevice {
     std::vector<rhi::Capability> capabilities;
 };
 
-// In the order of their indices. Fails with ExitCode::no_device where no loader or driver answers.
+// In the order of their indices. Fails with ErrorKind::no_device where no loader or driver answers.
 Result<std::vector<VulkanDevice>> list_vulkan_devices();
 
 // The best GPU, or the device of this index, which may be software. `diagnostics` must outlive it.

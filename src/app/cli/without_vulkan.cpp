@@ -5,7 +5,7 @@ namespace hm::cli {
 namespace {
 
 tl::unexpected<Error> left_out() {
-    return fail(ExitCode::no_device, "", "",
+    return fail(ErrorKind::no_device, "", "",
                 "this build leaves the Vulkan renderer out (cmake -DHIMALAYA_VULKAN=ON says what "
                 "it needs)");
 }

@@ -6,7 +6,7 @@
 
 #include "app/cli/doctor/checks.h"
 #include "app/cli/doctor/trial.h"
-#include "base/result.h"
+#include "app/cli/exit_code.h"
 
 namespace hm::cli {
 

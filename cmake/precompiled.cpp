@@ -1,0 +1,1 @@
+// What the precompiled header of cmake/Compile.cmake is made with.
