@@ -25,10 +25,11 @@ function(himalaya_compile target)
     -fPIC)
   if(HIMALAYA_PRECOMPILED_HEADER AND NOT C_NO_PRECOMPILED_HEADER)
     target_precompile_headers(${target} REUSE_FROM himalaya_precompiled)
+    target_link_libraries(${target} PRIVATE fmt::fmt tl::expected glm::glm)
     # Without the first ccache can't tell what a file includes. The others are GCC 12's false alarms
     # about std::string, which it takes for ours when it comes out of a precompiled header.
     target_compile_options(${target} PRIVATE
-      "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-restrict>")
+      "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-restrict>")
   endif()
 endfunction()
 

@@ -10,17 +10,17 @@ namespace hm {
 
 struct Warning {
     std::string file;
-    std::string place;  // where it was seen first: a JSON pointer or empty
+    std::string location;  // where it was seen first: a JSON pointer or empty
     std::string message;
     std::size_t count = 1;
 
-    std::string line() const;  // "file: place: message (3 times)"; control characters escaped
+    std::string line() const;  // "file: location: message (3 times)"; control characters escaped
 };
 
 // In the order of their first appearance. Not for several threads at once.
 class Diagnostics {
   public:
-    void warn(std::string file, std::string place, std::string message, std::size_t count = 1);
+    void warn(std::string file, std::string location, std::string message, std::size_t count = 1);
     const std::vector<Warning>& warnings() const { return warnings_; }
 
   private:

@@ -29,7 +29,7 @@ std::string_view name_of(ErrorKind kind) {
 std::string Error::line() const {
     std::string text;
     if (!file.empty()) text += file + ": ";
-    if (!place.empty()) text += place + ": ";
+    if (!location.empty()) text += location + ": ";
     return printable(text + message);
 }
 

@@ -1,4 +1,5 @@
-// Bad input as a value: what kind of trouble it is, in which file, at which place, and a message.
+// Bad input as a value: what kind of trouble it is, in which file, at which location, and a
+// message.
 #pragma once
 
 #include <string>
@@ -23,24 +24,24 @@ enum class ErrorKind {
 // "invalid argument", "unreadable", ...
 std::string_view name_of(ErrorKind kind);
 
-// `place` is a JSON pointer ("/meshes/0/primitives/1"), a byte offset or empty.
+// `location` is a JSON pointer ("/meshes/0/primitives/1"), a byte offset or empty.
 struct Error {
     ErrorKind kind = ErrorKind::internal;
     std::string file;
-    std::string place;
+    std::string location;
     std::string message;
 
-    // One line, "file: place: message"; control characters from the input are escaped.
+    // One line, "file: location: message"; control characters from the input are escaped.
     std::string line() const;
 };
 
 template <class T>
 using Result = tl::expected<T, Error>;
 
-inline tl::unexpected<Error> fail(ErrorKind kind, std::string file, std::string place,
+inline tl::unexpected<Error> fail(ErrorKind kind, std::string file, std::string location,
                                   std::string message) {
     return tl::unexpected<Error>(
-        Error{kind, std::move(file), std::move(place), std::move(message)});
+        Error{kind, std::move(file), std::move(location), std::move(message)});
 }
 
 }  // namespace hm

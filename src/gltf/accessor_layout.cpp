@@ -139,7 +139,7 @@ Result<Accessor> read_accessor(const Json& item, Source& source) {
     HM_TRY_ASSIGN(accessor.normalized, item.flag("normalized"));
     if (accessor.normalized && (accessor.component == ComponentType::float32 ||
                                 accessor.component == ComponentType::uint32)) {
-        source.warn(item.place_of("normalized"), "only 8 and 16-bit integers can be normalized");
+        source.warn(item.pointer_of("normalized"), "only 8 and 16-bit integers can be normalized");
         accessor.normalized = false;
     }
     HM_TRY_ASSIGN(const std::uint64_t count, item.required("count", item.integer("count")));

@@ -239,7 +239,7 @@ TEST(Accessor, SharedDataIsBounded) {
         EXPECT_TRUE(gltf::read_accessors(root, source));
         source.budget = {kept_bytes, decoded_bytes, kept_bytes};
         const auto meshes = gltf::read_meshes(root, source, {});
-        return meshes ? std::string() : meshes.error().place;
+        return meshes ? std::string() : meshes.error().location;
     };
     EXPECT_EQ(load(3 * kept, 9 * kept), "");
     EXPECT_EQ(load(3 * kept - 1, 9 * kept), "/meshes/0/primitives/2");

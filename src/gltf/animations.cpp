@@ -218,7 +218,7 @@ Result<void> AnimationReader::read_pointer_channel(const Json& json, const Json&
                                                    std::size_t sampler) {
     HM_TRY_ASSIGN(const auto pointed, pointers_.read(target));
     if (!pointed) {
-        source_.warn(target.place(), "a channel whose target can't be animated is left out");
+        source_.warn(target.pointer(), "a channel whose target can't be animated is left out");
         return {};
     }
     if (const auto* property = std::get_if<AnimatedProperty>(&pointed->what)) {
@@ -240,7 +240,7 @@ Result<void> AnimationReader::read_channel(const Json& json) {
     if (name == "pointer") return read_pointer_channel(json, target, sampler);
     const PathName* path = find_path(name);
     if (path == nullptr || !node) {
-        source_.warn(target.place(), "a channel whose target is not known is left out");
+        source_.warn(target.pointer(), "a channel whose target is not known is left out");
         return {};
     }
     return add(json, target, sampler, *node, *path);
@@ -254,7 +254,7 @@ Result<Animation> AnimationReader::read(const Json& json) {
         samplers_.push_back(std::move(sampler));
     }
     HM_TRY_ASSIGN(const std::vector<Json> channels, json.objects("channels"));
-    if (channels.empty()) source_.warn(json.place(), "an animation without channels");
+    if (channels.empty()) source_.warn(json.pointer(), "an animation without channels");
     for (const Json& item : channels)
         HM_TRY(read_channel(item));
     for (FileSampler& from : samplers_)

@@ -161,7 +161,7 @@ Result<std::optional<Attributes>> read_attributes(const Json& primitive, Source&
     Attributes out;
     HM_TRY_ASSIGN(const auto position, get("POSITION", ElementType::vec3, Encoding::position, 0));
     if (!position) {
-        source.warn(primitive.place(), "a primitive without positions is left out");
+        source.warn(primitive.pointer(), "a primitive without positions is left out");
         return std::nullopt;
     }
     out.position = *position;

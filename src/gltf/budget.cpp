@@ -52,16 +52,16 @@ std::uint64_t json_memory(std::span<const std::byte> text) {
 }
 
 Result<void> check_memory(const Budget& budget, std::uint64_t bytes, const std::string& file,
-                          const std::string& place) {
+                          const std::string& pointer) {
     if (bytes <= budget.kept_bytes) return {};
-    return fail(ErrorKind::invalid, file, place,
+    return fail(ErrorKind::invalid, file, pointer,
                 fmt::format("needs {} bytes of memory, but of the limit of {} only {} are left "
                             "(--memory-limit)",
                             bytes, budget.limit, budget.kept_bytes));
 }
 
 Result<void> take_work(const Json& json, Source& source, std::uint64_t bytes) {
-    HM_TRY(check_memory(source.budget, bytes, source.file, json.place()));
+    HM_TRY(check_memory(source.budget, bytes, source.file, json.pointer()));
     if (bytes > source.budget.decoded_bytes)
         return json.invalid("", "the file decodes to too much data for its size");
     source.budget.decoded_bytes -= bytes;
@@ -69,7 +69,7 @@ Result<void> take_work(const Json& json, Source& source, std::uint64_t bytes) {
 }
 
 Result<void> take_memory(const Json& json, Source& source, std::uint64_t bytes) {
-    HM_TRY(check_memory(source.budget, bytes, source.file, json.place()));
+    HM_TRY(check_memory(source.budget, bytes, source.file, json.pointer()));
     source.budget.kept_bytes -= bytes;
     return {};
 }

@@ -28,6 +28,6 @@ Result<void> take_memory(const Json& json, Source& source, std::uint64_t bytes);
 
 // Fails if it is more than the budget has left.
 Result<void> check_memory(const Budget& budget, std::uint64_t bytes, const std::string& file,
-                          const std::string& place);
+                          const std::string& pointer);
 
 }  // namespace hm::gltf

@@ -37,7 +37,7 @@ Result<void> read_orthographic(const Json& json, Source& source, Camera& camera)
     if (camera.xmag == 0) return json.invalid("xmag", "must not be 0");
     if (camera.ymag == 0) return json.invalid("ymag", "must not be 0");
     if (camera.xmag < 0 || camera.ymag < 0)
-        source.warn(json.place(), "negative magnification; its absolute value is used");
+        source.warn(json.pointer(), "negative magnification; its absolute value is used");
     camera.xmag = std::abs(camera.xmag);
     camera.ymag = std::abs(camera.ymag);
     HM_TRY_ASSIGN(const float near, required_number(json, "znear"));
@@ -73,7 +73,7 @@ Result<void> read_spot(const Json& item, Source& source, Light& light) {
         return spot.invalid("outerConeAngle", "must be greater than innerConeAngle");
     // Against the extension's letter, but written for hard-edged spots and clear in meaning.
     if (light.outer_cone == light.inner_cone)
-        source.warn(spot.place(), "the cone angles are equal; the edge is hard");
+        source.warn(spot.pointer(), "the cone angles are equal; the edge is hard");
     return {};
 }
 
@@ -94,7 +94,7 @@ Result<Light> read_light(const Json& item, Source& source) {
     HM_TRY(item.numbers("color", color));
     for (const float component : color) {
         if (component < 0) return item.invalid("color", "must not be negative");
-        if (component > 1) source.warn(item.place_of("color"), "above 1, kept as it is");
+        if (component > 1) source.warn(item.pointer_of("color"), "above 1, kept as it is");
     }
     light.color = vec3(color[0], color[1], color[2]);
     HM_TRY_ASSIGN(light.intensity, item.number_or("intensity", 1));

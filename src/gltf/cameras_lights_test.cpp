@@ -103,9 +103,9 @@ TEST(Lights, ToleratedWithAWarning) {
     const Loaded loaded = load_text(document(light(
         R"({"type":"spot","color":[2,1,1],"spot":{"innerConeAngle":0.5,"outerConeAngle":0.5}})")));
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
-    const std::string place = "/extensions/KHR_lights_punctual/lights/0";
-    EXPECT_EQ(loaded.warned(place + "/spot", "edge is hard"), 1u);
-    EXPECT_EQ(loaded.warned(place + "/color", "kept"), 1u);
+    const std::string pointer = "/extensions/KHR_lights_punctual/lights/0";
+    EXPECT_EQ(loaded.warned(pointer + "/spot", "edge is hard"), 1u);
+    EXPECT_EQ(loaded.warned(pointer + "/color", "kept"), 1u);
     EXPECT_EQ(loaded.scene->lights[0].color, vec3(2, 1, 1));
 }
 
@@ -113,7 +113,7 @@ TEST(Lights, Refusals) {
     const std::string at = "/extensions/KHR_lights_punctual/lights/0";
     const struct {
         const char* json;
-        const char* place;
+        const char* pointer;
         const char* message;
     } cases[] = {
         {"{}", "/type", "is required"},
@@ -130,7 +130,7 @@ TEST(Lights, Refusals) {
         {R"({"type":"spot","spot":{"outerConeAngle":0}})", "/spot/outerConeAngle", "greater than"},
     };
     for (const auto& c : cases)
-        expect_refused({{c.json, light(c.json), (at + c.place).c_str(), c.message}});
+        expect_refused({{c.json, light(c.json), (at + c.pointer).c_str(), c.message}});
 }
 
 }  // namespace

@@ -34,19 +34,19 @@ TEST(Container, ReadsGlbWhateverItsName) {
 
 TEST(Container, ToleratesWithAWarning) {
     const std::string file = glb(chunk_document(), triangle_bytes());
-    const std::string place = "byte " + std::to_string(file.size());
+    const std::string pointer = "byte " + std::to_string(file.size());
     const Loaded trailing = load_text(file + "junk");
     ASSERT_TRUE(trailing.scene);
-    EXPECT_EQ(trailing.warned(place, "after the GLB's end"), 1u);
+    EXPECT_EQ(trailing.warned(pointer, "after the GLB's end"), 1u);
 
     const Loaded unknown = load_text(extended(file, word(4) + "ABCD" + "1234"));
     ASSERT_TRUE(unknown.scene);
-    EXPECT_EQ(unknown.warned(place, "unknown use"), 1u);
+    EXPECT_EQ(unknown.warned(pointer, "unknown use"), 1u);
 
     // The BIN chunk is the second or none at all.
     const Loaded second = load_text(extended(file, word(4) + std::string("BIN\0", 4) + "1234"));
     ASSERT_TRUE(second.scene);
-    EXPECT_EQ(second.warned(place, "unknown use"), 1u);
+    EXPECT_EQ(second.warned(pointer, "unknown use"), 1u);
 }
 
 TEST(Container, RefusesBrokenLayouts) {
@@ -56,7 +56,7 @@ TEST(Container, RefusesBrokenLayouts) {
     const struct {
         const char* what;
         std::string file;
-        const char* place;
+        const char* pointer;
         const char* message;
         ErrorKind kind = ErrorKind::invalid;
     } cases[] = {
@@ -80,7 +80,7 @@ TEST(Container, RefusesBrokenLayouts) {
         ASSERT_FALSE(loaded.scene) << c.what;
         const Error& error = loaded.scene.error();
         EXPECT_EQ(error.kind, c.kind) << c.what << ": " << error.line();
-        EXPECT_EQ(error.place, c.place) << c.what << ": " << error.line();
+        EXPECT_EQ(error.location, c.pointer) << c.what << ": " << error.line();
         EXPECT_NE(error.message.find(c.message), std::string::npos)
             << c.what << ": " << error.line();
     }

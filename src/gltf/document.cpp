@@ -41,29 +41,29 @@ class Survey {
     // The JSON pointer to the first key that stands twice in its object, if there is one: which of
     // the two values counts would depend on the reader.
     std::optional<std::string> repeated_key(dom::element root) {
-        std::string place;
-        return visit(root, false, place) ? std::optional(place) : std::nullopt;
+        std::string pointer;
+        return visit(root, false, pointer) ? std::optional(pointer) : std::nullopt;
     }
 
   private:
     // Whether a key stands twice in an object, anywhere below `value`, an array or an object: its
-    // tokens are put in front of `place`.
-    bool visit(dom::element value, bool in_extras, std::string& place) {
-        return value.is_array() ? visit_array(value, in_extras, place)
-                                : visit_object(value, in_extras, place);
+    // tokens are put in front of `pointer`.
+    bool visit(dom::element value, bool in_extras, std::string& pointer) {
+        return value.is_array() ? visit_array(value, in_extras, pointer)
+                                : visit_object(value, in_extras, pointer);
     }
-    bool visit_array(dom::array values, bool in_extras, std::string& place);
-    bool visit_object(dom::object object, bool in_extras, std::string& place);
+    bool visit_array(dom::array values, bool in_extras, std::string& pointer);
+    bool visit_object(dom::object object, bool in_extras, std::string& pointer);
 
     ExtensionUses& uses_;
     std::vector<std::string_view> open_;  // the keys of the objects around
 };
 
-bool Survey::visit_array(dom::array values, bool in_extras, std::string& place) {
+bool Survey::visit_array(dom::array values, bool in_extras, std::string& pointer) {
     std::size_t i = 0;
     for (const dom::element item : values) {
-        if (is_compound(item) && visit(item, in_extras, place)) {
-            place = fmt::format("/{}{}", i, place);
+        if (is_compound(item) && visit(item, in_extras, pointer)) {
+            pointer = fmt::format("/{}{}", i, pointer);
             return true;
         }
         ++i;
@@ -71,7 +71,7 @@ bool Survey::visit_array(dom::array values, bool in_extras, std::string& place) 
     return false;
 }
 
-bool Survey::visit_object(dom::object object, bool in_extras, std::string& place) {
+bool Survey::visit_object(dom::object object, bool in_extras, std::string& pointer) {
     const std::size_t first = open_.size();
     // The parser's pairs of key and value are slow to make.
     for (auto member = object.begin(), end = object.end(); member != end; ++member) {
@@ -82,12 +82,12 @@ bool Survey::visit_object(dom::object object, bool in_extras, std::string& place
         if (key == "extensions" && !in_extras && item.is_object())
             for (const auto& [name, extension] : dom::object(item))
                 ++uses_[name];
-        if (!visit(item, in_extras || key == "extras", place)) continue;
-        place = fmt::format("/{}{}", escaped(key), place);
+        if (!visit(item, in_extras || key == "extras", pointer)) continue;
+        pointer = fmt::format("/{}{}", escaped(key), pointer);
         return true;
     }
     const auto twice = find_twice(std::span(open_).subspan(first));
-    if (twice) place = fmt::format("/{}", escaped(*twice));
+    if (twice) pointer = fmt::format("/{}", escaped(*twice));
     open_.resize(first);
     return twice.has_value();
 }
@@ -126,8 +126,8 @@ Result<Document> parse_json(dom::parser& parser, std::span<const std::byte> text
         return reject(fmt::format("is not valid JSON: {}", simdjson::error_message(status)));
     if (!root.is_object()) return reject("is not a glTF file: its JSON is no object");
     ExtensionUses uses;
-    if (const auto place = Survey(uses).repeated_key(root))
-        return hm::fail(ErrorKind::invalid, file, *place, "stands twice in its object");
+    if (const auto pointer = Survey(uses).repeated_key(root))
+        return hm::fail(ErrorKind::invalid, file, *pointer, "stands twice in its object");
     return Document{Json(root, "", &file), std::move(uses)};
 }
 

@@ -42,7 +42,7 @@ void check_media_type(const Json& item, Source& source, std::string_view said, F
                                 : format == FileFormat::jpeg ? "image/jpeg"
                                                              : "";
     if (said.empty() || is.empty() || said == is || said == "application/octet-stream") return;
-    source.warn(item.place(), fmt::format("is called {} but is {}", excerpt(said), is));
+    source.warn(item.pointer(), fmt::format("is called {} but is {}", excerpt(said), is));
 }
 
 std::string_view key_of(const Json& item) {

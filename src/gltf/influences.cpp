@@ -150,10 +150,10 @@ Result<void> read_influences(const Json& primitive, Source& source, std::uint32_
     Flaws flaws;
     normalize(out, flaws);
     if (flaws.sums)
-        source.warn(primitive.place(),
+        source.warn(primitive.pointer(),
                     "some vertices' joint weights do not sum to one; they are scaled to");
     if (flaws.repeated)
-        source.warn(primitive.place(),
+        source.warn(primitive.pointer(),
                     "some vertices name a joint more than once; their weights are added");
     return {};
 }

@@ -56,12 +56,12 @@ std::string escaped(std::string_view key) {
     return out;
 }
 
-std::string Json::place() const {
+std::string Json::pointer() const {
     return index_ == kNoElement ? place_ : element_place(place_, index_);
 }
 
-std::string Json::place_of(std::string_view key) const {
-    return key.empty() ? place() : fmt::format("{}/{}", place(), key);
+std::string Json::pointer_of(std::string_view key) const {
+    return key.empty() ? pointer() : fmt::format("{}/{}", pointer(), key);
 }
 
 bool Json::has(std::string_view key) const {
@@ -82,16 +82,16 @@ bool Json::leads_to_object(std::string_view pointer) const {
 }
 
 tl::unexpected<Error> Json::fail(ErrorKind kind, std::string_view key, std::string message) const {
-    return hm::fail(kind, *file_, place_of(key), std::move(message));
+    return hm::fail(kind, *file_, pointer_of(key), std::move(message));
 }
 
 tl::unexpected<Error> Json::invalid(std::string_view key, std::string message) const {
     return fail(ErrorKind::invalid, key, std::move(message));
 }
 
-tl::unexpected<Error> Json::mistyped(std::string place, std::string_view expected,
+tl::unexpected<Error> Json::mistyped(std::string pointer, std::string_view expected,
                                      dom::element found) const {
-    return hm::fail(ErrorKind::invalid, *file_, std::move(place),
+    return hm::fail(ErrorKind::invalid, *file_, std::move(pointer),
                     fmt::format("expected {}, found {}", expected, type_name(found.type())));
 }
 
@@ -105,22 +105,24 @@ Result<std::optional<dom::array>> Json::array(std::string_view key) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
     dom::array values;
-    if (found->get(values) != simdjson::SUCCESS) return mistyped(place_of(key), "an array", *found);
+    if (found->get(values) != simdjson::SUCCESS)
+        return mistyped(pointer_of(key), "an array", *found);
     return values;
 }
 
 Result<void> Json::check_object() {
-    if (!value_.is_object()) return mistyped(place(), "an object", value_);
+    if (!value_.is_object()) return mistyped(pointer(), "an object", value_);
     key_bits_ = 0;
     const dom::object object(value_);
     for (auto member = object.begin(), end = object.end(); member != end; ++member)
         key_bits_ |= bit_of(member.key());
     const auto extensions = find("extensions");
     if (!extensions) return {};
-    if (!extensions->is_object()) return mistyped(place_of("extensions"), "an object", *extensions);
+    if (!extensions->is_object())
+        return mistyped(pointer_of("extensions"), "an object", *extensions);
     for (const auto& [name, extension] : dom::object(*extensions))
         if (!extension.is_object())
-            return mistyped(fmt::format("{}/extensions/{}", place(), escaped(name)), "an object",
+            return mistyped(fmt::format("{}/extensions/{}", pointer(), escaped(name)), "an object",
                             extension);
     return {};
 }
@@ -128,7 +130,7 @@ Result<void> Json::check_object() {
 Result<std::optional<Json>> Json::object(std::string_view key) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
-    Json object(*found, place_of(key), file_);
+    Json object(*found, pointer_of(key), file_);
     HM_TRY(object.check_object());
     return object;
 }
@@ -164,7 +166,7 @@ Result<std::vector<std::string_view>> Json::texts(std::string_view key) const {
     for (const dom::element value : *values) {
         std::string_view text;
         if (value.get(text) != simdjson::SUCCESS)
-            return mistyped(element_place(place_of(key), out.size()), "a string", value);
+            return mistyped(element_place(pointer_of(key), out.size()), "a string", value);
         out.push_back(text);
     }
     return out;
@@ -174,7 +176,8 @@ Result<bool> Json::flag(std::string_view key) const {
     const auto found = find(key);
     if (!found) return false;
     bool value = false;
-    if (found->get(value) != simdjson::SUCCESS) return mistyped(place_of(key), "a boolean", *found);
+    if (found->get(value) != simdjson::SUCCESS)
+        return mistyped(pointer_of(key), "a boolean", *found);
     return value;
 }
 
@@ -182,7 +185,8 @@ Result<std::optional<std::string_view>> Json::text(std::string_view key) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
     std::string_view value;
-    if (found->get(value) != simdjson::SUCCESS) return mistyped(place_of(key), "a string", *found);
+    if (found->get(value) != simdjson::SUCCESS)
+        return mistyped(pointer_of(key), "a string", *found);
     return value;
 }
 
@@ -192,23 +196,23 @@ Result<std::string> Json::name() const {
 }
 
 template <class Place>
-Result<std::uint64_t> Json::to_integer(dom::element value, const Place& place) const {
+Result<std::uint64_t> Json::to_integer(dom::element value, const Place& pointer) const {
     std::uint64_t whole = 0;
     if (value.get(whole) == simdjson::SUCCESS && whole <= std::uint64_t(kMaxInteger)) return whole;
     double number = 0;
-    if (value.get(number) != simdjson::SUCCESS) return mistyped(place(), "an integer", value);
+    if (value.get(number) != simdjson::SUCCESS) return mistyped(pointer(), "an integer", value);
     if (number < 0 || number > kMaxInteger || number != std::floor(number))
-        return hm::fail(ErrorKind::invalid, *file_, place(),
+        return hm::fail(ErrorKind::invalid, *file_, pointer(),
                         fmt::format("expected an integer from 0 to 2^53, found {}", number));
     return static_cast<std::uint64_t>(number);
 }
 
 template <class Place>
-Result<float> Json::to_number(dom::element value, const Place& place) const {
+Result<float> Json::to_number(dom::element value, const Place& pointer) const {
     double number = 0;
-    if (value.get(number) != simdjson::SUCCESS) return mistyped(place(), "a number", value);
+    if (value.get(number) != simdjson::SUCCESS) return mistyped(pointer(), "a number", value);
     if (std::abs(number) > double(std::numeric_limits<float>::max()))
-        return hm::fail(ErrorKind::invalid, *file_, place(),
+        return hm::fail(ErrorKind::invalid, *file_, pointer(),
                         fmt::format("{} does not fit a 32-bit float", number));
     return static_cast<float>(number);
 }
@@ -216,14 +220,14 @@ Result<float> Json::to_number(dom::element value, const Place& place) const {
 Result<std::optional<std::uint64_t>> Json::integer(std::string_view key) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
-    return to_integer(*found, [&] { return place_of(key); });
+    return to_integer(*found, [&] { return pointer_of(key); });
 }
 
 Result<std::optional<std::size_t>> Json::index(std::string_view key, std::size_t count,
                                                std::string_view what) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
-    HM_TRY_ASSIGN(const std::uint64_t value, to_integer(*found, [&] { return place_of(key); }));
+    HM_TRY_ASSIGN(const std::uint64_t value, to_integer(*found, [&] { return pointer_of(key); }));
     if (value >= count)
         return invalid(key, fmt::format("{} is past the end of the {} {}", value, count, what));
     return static_cast<std::size_t>(value);
@@ -236,7 +240,7 @@ Result<std::vector<std::size_t>> Json::indices(std::string_view key, std::size_t
     if (!values) return out;
     out.reserve(values->size());
     for (const dom::element value : *values) {
-        const auto here = [&] { return element_place(place_of(key), out.size()); };
+        const auto here = [&] { return element_place(pointer_of(key), out.size()); };
         HM_TRY_ASSIGN(const std::uint64_t index, to_integer(value, here));
         if (index >= count)
             return hm::fail(ErrorKind::invalid, *file_, here(),
@@ -249,7 +253,7 @@ Result<std::vector<std::size_t>> Json::indices(std::string_view key, std::size_t
 Result<std::optional<float>> Json::number(std::string_view key) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
-    return to_number(*found, [&] { return place_of(key); });
+    return to_number(*found, [&] { return pointer_of(key); });
 }
 
 Result<float> Json::number_or(std::string_view key, float fallback) const {
@@ -262,7 +266,7 @@ Result<std::vector<float>> Json::number_list(std::string_view key) const {
     std::vector<float> out;
     if (!values) return out;
     for (const dom::element value : *values) {
-        const auto here = [&] { return element_place(place_of(key), out.size()); };
+        const auto here = [&] { return element_place(pointer_of(key), out.size()); };
         HM_TRY_ASSIGN(const float number, to_number(value, here));
         out.push_back(number);
     }
@@ -277,7 +281,7 @@ Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
                        fmt::format("expected {} numbers, found {}", out.size(), values->size()));
     std::size_t i = 0;
     for (const dom::element value : *values) {
-        const auto here = [&] { return element_place(place_of(key), i); };
+        const auto here = [&] { return element_place(pointer_of(key), i); };
         HM_TRY_ASSIGN(out[i], to_number(value, here));
         ++i;
     }

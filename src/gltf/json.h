@@ -24,13 +24,13 @@ std::string escaped(std::string_view key);
 class Json {
   public:
     // `file` must outlive the value; so must the parser that made `value`. With an index the value
-    // is an element of the array at `place`.
-    Json(simdjson::dom::element value, std::string place, const std::string* file,
+    // is an element of the array at `pointer`.
+    Json(simdjson::dom::element value, std::string pointer, const std::string* file,
          std::size_t index = kNoElement)
-        : value_(value), place_(std::move(place)), index_(index), file_(file) {}
+        : value_(value), place_(std::move(pointer)), index_(index), file_(file) {}
 
-    std::string place() const;
-    std::string place_of(std::string_view key) const;
+    std::string pointer() const;
+    std::string pointer_of(std::string_view key) const;
     bool has(std::string_view key) const;
     std::vector<std::string_view> keys() const;            // in the file's order
     bool leads_to_object(std::string_view pointer) const;  // RFC 6901, from this value on
@@ -91,17 +91,17 @@ class Json {
     std::optional<simdjson::dom::element> look_up(std::string_view key) const;
     Result<std::optional<simdjson::dom::array>> array(std::string_view key) const;
     Result<void> check_object();  // and note its keys' bits
-    tl::unexpected<Error> mistyped(std::string place, std::string_view expected,
+    tl::unexpected<Error> mistyped(std::string pointer, std::string_view expected,
                                    simdjson::dom::element found) const;
-    // `place` is a function: texts are made only where something is wrong.
+    // `pointer` is a function: texts are made only where something is wrong.
     template <class Place>
-    Result<std::uint64_t> to_integer(simdjson::dom::element value, const Place& place) const;
+    Result<std::uint64_t> to_integer(simdjson::dom::element value, const Place& pointer) const;
     template <class Place>
-    Result<float> to_number(simdjson::dom::element value, const Place& place) const;
+    Result<float> to_number(simdjson::dom::element value, const Place& pointer) const;
 
     simdjson::dom::element value_;
     std::string place_;
-    std::size_t index_;  // joined to the place where somebody asks: most values are never named
+    std::size_t index_;  // joined to the pointer where somebody asks: most values are never named
     const std::string* file_;
     // Of the object's keys, or all: most properties that are asked for are absent.
     std::uint64_t key_bits_ = ~std::uint64_t{0};
@@ -111,10 +111,10 @@ template <class Visit>
 Result<void> Json::for_each_object(std::string_view key, const Visit& visit) const {
     HM_TRY_ASSIGN(const auto values, array(key));
     if (!values) return {};
-    const std::string place = place_of(key);
+    const std::string pointer = pointer_of(key);
     std::size_t i = 0;
     for (const simdjson::dom::element value : *values) {
-        Json item(value, place, file_, i++);
+        Json item(value, pointer, file_, i++);
         HM_TRY(item.check_object());
         HM_TRY(visit(item));
     }

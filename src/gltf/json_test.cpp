@@ -47,13 +47,13 @@ TEST(Json, ElementsHavePlaces) {
     const Json root = parse(parser, R"({"a":[{"b":[{},{"c":{"d":true}}]},{}]})").value();
     std::vector<std::string> places;
     ASSERT_TRUE(root.for_each_object("a", [&](const Json& item) -> Result<void> {
-        places.push_back(item.place());
+        places.push_back(item.pointer());
         return {};
     }));
     EXPECT_EQ(places, (std::vector<std::string>{"/a/0", "/a/1"}));
     const Json inner = root.objects("a").value().at(0).objects("b").value().at(1);
-    EXPECT_EQ(inner.place_of("c"), "/a/0/b/1/c");
-    EXPECT_EQ(inner.object("c").value().value().number("d").error().place, "/a/0/b/1/c/d");
+    EXPECT_EQ(inner.pointer_of("c"), "/a/0/b/1/c");
+    EXPECT_EQ(inner.object("c").value().value().number("d").error().location, "/a/0/b/1/c/d");
 }
 
 TEST(Json, RepeatedKeysOfLongObjects) {
@@ -65,7 +65,7 @@ TEST(Json, RepeatedKeysOfLongObjects) {
         EXPECT_TRUE(parse(parser, "{\"a\":[1,{" + members + "}]}"));
         const auto twice = parse(parser, "{\"a\":[1,{" + members + ",\"key0\":0}]}");
         ASSERT_FALSE(twice) << count;
-        EXPECT_EQ(twice.error().place, "/a/1/key0");
+        EXPECT_EQ(twice.error().location, "/a/1/key0");
     }
 }
 

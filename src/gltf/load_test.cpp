@@ -139,10 +139,13 @@ TEST(Load, WarnsOfUnknownExtensions) {
 TEST(Load, TablesMustBeArraysOfObjects) {
     for (const char* table : {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes",
                               "materials", "textures", "images", "samplers", "cameras"}) {
-        const std::string place = fmt::format("/{}", table);
+        const std::string pointer = fmt::format("/{}", table);
         expect_refused({
-            {table, {{table, "7"}}, place.c_str(), "expected an array, found a number"},
-            {table, {{table, "[null]"}}, (place + "/0").c_str(), "expected an object, found null"},
+            {table, {{table, "7"}}, pointer.c_str(), "expected an array, found a number"},
+            {table,
+             {{table, "[null]"}},
+             (pointer + "/0").c_str(),
+             "expected an object, found null"},
         });
     }
 }

@@ -16,9 +16,9 @@ constexpr float kNoLimit = std::numeric_limits<float>::max();
 float limited(Source& source, const Json& json, std::string_view key, float value, float low,
               float high) {
     if (value < low || value > high)
-        source.warn(json.place_of(key), high == kNoLimit
-                                            ? fmt::format("below {}, raised to it", low)
-                                            : fmt::format("outside {} to {}, clamped", low, high));
+        source.warn(json.pointer_of(key),
+                    high == kNoLimit ? fmt::format("below {}, raised to it", low)
+                                     : fmt::format("outside {} to {}, clamped", low, high));
     return std::clamp(value, low, high);
 }
 

@@ -150,7 +150,8 @@ TEST(Materials, ClampsWithAWarning) {
     EXPECT_EQ(m.emissive, vec3(1, 0, 0));
     EXPECT_EQ(m.occlusion_strength, 1.0f);
     EXPECT_EQ(m.alpha_cutoff, 0.0f);
-    // One line for what is clamped to 0..1, with the place that was first, and one for the cutoff.
+    // One line for what is clamped to 0..1, with the pointer that was first, and one for the
+    // cutoff.
     EXPECT_EQ(loaded.warned("/materials/0/pbrMetallicRoughness/baseColorFactor", "clamped"), 6u);
     EXPECT_EQ(loaded.warned("/materials/0/alphaCutoff", "raised"), 1u);
 }

@@ -62,7 +62,7 @@ Result<std::optional<Topology>> read_topology(const Json& json, Source& source) 
     if (mode && *mode > 6) return json.invalid("mode", fmt::format("{} is no mode", *mode));
     if (!mode) return Topology::triangles;
     if (*mode < 4) {
-        source.warn(json.place(), "points and lines are not drawn");
+        source.warn(json.pointer(), "points and lines are not drawn");
         return std::nullopt;
     }
     return static_cast<Topology>(*mode);
@@ -75,7 +75,7 @@ void check_texture_coordinates(const Json& json, Source& source, const Material&
         if (slot->image == kUnset) continue;
         const bool present = (slot->uv_set == 0 ? attributes.uv0 : attributes.uv1).has_value();
         if (present) continue;
-        source.warn(json.place(),
+        source.warn(json.pointer(),
                     "the material's textures need coordinates that are missing; "
                     "zero is used");
         return;
@@ -119,7 +119,7 @@ Result<std::optional<Primitive>> read_primitive(const Json& json, Source& source
     attributes->uv1_is_read = material && reads_second_coordinates(materials[*material]);
     HM_TRY_ASSIGN(Indices indices, read_indices(json, source, attributes->count));
     if (topology == Topology::triangles ? indices.count % 3 != 0 : indices.count < 3)
-        source.warn(json.place(), "vertices left over that complete no triangle");
+        source.warn(json.pointer(), "vertices left over that complete no triangle");
     primitive.triangles = make_triangles(*topology, std::move(indices));
     if (primitive.triangles.empty()) return std::nullopt;
     HM_TRY(read_vertices(*attributes, source, primitive));
@@ -140,7 +140,7 @@ Result<std::vector<Mesh>> read_meshes(const Json& root, Source& source,
         Mesh mesh;
         HM_TRY_ASSIGN(mesh.name, item.name());
         HM_TRY_ASSIGN(const std::vector<Json> primitives, item.objects("primitives"));
-        if (primitives.empty()) source.warn(item.place(), "a mesh without primitives");
+        if (primitives.empty()) source.warn(item.pointer(), "a mesh without primitives");
         HM_TRY_ASSIGN(const std::size_t target_count, count_targets(item, primitives));
         HM_TRY_ASSIGN(mesh.weights, read_weights(item, target_count));
         mesh.weights.resize(target_count, 0.0f);

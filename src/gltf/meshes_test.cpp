@@ -194,7 +194,7 @@ TEST(Meshes, AttributeCountsMustAgree) {
                  R"({"bufferView":1,"componentType":5126,"type":"VEC3","count":2})");
     const Loaded loaded = load_text(text);
     ASSERT_FALSE(loaded.scene);
-    EXPECT_EQ(loaded.scene.error().place, "/meshes/0/primitives/0/attributes/NORMAL");
+    EXPECT_EQ(loaded.scene.error().location, "/meshes/0/primitives/0/attributes/NORMAL");
     EXPECT_NE(loaded.scene.error().message.find("2 elements, POSITION has 3"), std::string::npos);
 }
 

@@ -48,7 +48,7 @@ Result<void> read_extensions(const Json& item, Source& source, const Scene& scen
     HM_TRY_ASSIGN(out.visible, read_visible(item));
     HM_TRY_ASSIGN(out.instances, read_instances(item, source));
     if (!out.instances.empty() && (out.mesh == kUnset || out.skin != kUnset)) {
-        source.warn(item.place(), "instances of no mesh or of a skinned one are not drawn");
+        source.warn(item.pointer(), "instances of no mesh or of a skinned one are not drawn");
         out.instances.clear();
     }
     HM_TRY_ASSIGN(const auto& lights, item.extension("KHR_lights_punctual"));
@@ -176,7 +176,7 @@ Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
                                                     nodes.parents[roots[i]]));
         listed[roots[i]] = true;
     }
-    if (roots.empty()) source.warn(scene.place(), "the scene is empty");
+    if (roots.empty()) source.warn(scene.pointer(), "the scene is empty");
     return roots;
 }
 

@@ -80,7 +80,7 @@ TEST(Nodes, ParentsFirstSiblingsInOrder) {
     EXPECT_EQ(names, (std::vector<std::string>{"4", "3", "1", "5", "0", "2"}));
     EXPECT_EQ(parents, (std::vector<int>{-1, 0, 1, 1, 0, -1}));
     EXPECT_EQ(indices, (std::vector<int>{4, 3, 1, 5, 0, 2}));
-    EXPECT_EQ(place_of(loaded.scene->nodes[0]), "/nodes/4");
+    EXPECT_EQ(pointer_of(loaded.scene->nodes[0]), "/nodes/4");
 }
 
 TEST(Nodes, ScenesAreChosen) {
@@ -157,7 +157,7 @@ TEST(Nodes, ChainsOfAnyDepth) {
     list[0] = fmt::format(R"({{"children":[{}]}})", kCount - 1);
     const Loaded cycle = load_text(document(nodes(json_array(list), "[]")));
     ASSERT_FALSE(cycle.scene);
-    EXPECT_EQ(cycle.scene.error().place, "/nodes/0");
+    EXPECT_EQ(cycle.scene.error().location, "/nodes/0");
 }
 
 }  // namespace

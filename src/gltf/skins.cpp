@@ -59,9 +59,9 @@ void check_hierarchy(const Json& json, Source& source, const Skin& skin, const S
     while (root != kUnset && ends[std::size_t(root)] <= *high)
         root = scene.nodes[std::size_t(root)].parent;
     if (root == kUnset)
-        source.warn(json.place_of("joints"), "the joints have no common root");
+        source.warn(json.pointer_of("joints"), "the joints have no common root");
     else if (skeleton != kUnset && (skeleton > *low || ends[std::size_t(skeleton)] <= *high))
-        source.warn(json.place_of("skeleton"), "is no common root of the joints");
+        source.warn(json.pointer_of("skeleton"), "is no common root of the joints");
 }
 
 Result<std::vector<int>> read_joints(const Json& json, const std::vector<int>& scene_node) {

@@ -88,8 +88,8 @@ struct Source {
     std::size_t variant_count = 0;
     std::optional<std::size_t> variant{};  // the chosen one
 
-    void warn(std::string place, std::string message, std::size_t count = 1) {
-        diagnostics.warn(file, std::move(place), std::move(message), count);
+    void warn(std::string pointer, std::string message, std::size_t count = 1) {
+        diagnostics.warn(file, std::move(pointer), std::move(message), count);
     }
 };
 

@@ -113,10 +113,10 @@ std::filesystem::path Folder::write(const std::string& name, std::string_view co
     return path_ / name;
 }
 
-std::size_t Loaded::warned(std::string_view place, std::string_view text) const {
+std::size_t Loaded::warned(std::string_view pointer, std::string_view text) const {
     std::size_t count = 0;
     for (const Warning& warning : diagnostics.warnings())
-        if (warning.place == place && warning.message.find(text) != std::string::npos)
+        if (warning.location == pointer && warning.message.find(text) != std::string::npos)
             count += warning.count;
     return count;
 }
@@ -134,7 +134,7 @@ void expect_refused(const std::vector<Refused>& cases) {
         ASSERT_FALSE(loaded.scene) << c.what;
         const Error& error = loaded.scene.error();
         EXPECT_EQ(error.kind, c.kind) << c.what << ": " << error.line();
-        EXPECT_EQ(error.place, c.place) << c.what << ": " << error.line();
+        EXPECT_EQ(error.location, c.pointer) << c.what << ": " << error.line();
         EXPECT_NE(error.message.find(c.message), std::string::npos)
             << c.what << ": " << error.line();
     }

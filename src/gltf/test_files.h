@@ -62,8 +62,8 @@ struct Loaded {
     Result<Scene> scene;
     Diagnostics diagnostics;
 
-    // How many warnings have this place and this text somewhere in the message.
-    std::size_t warned(std::string_view place, std::string_view text) const;
+    // How many warnings have this pointer and this text somewhere in the message.
+    std::size_t warned(std::string_view pointer, std::string_view text) const;
 };
 
 Loaded load_text(std::string_view content);
@@ -72,7 +72,7 @@ Loaded load_text(std::string_view content);
 struct Refused {
     const char* what;
     Overrides overrides;
-    const char* place;
+    const char* pointer;
     const char* message;  // a part of it
     ErrorKind kind = ErrorKind::invalid;
 };

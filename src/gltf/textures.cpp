@@ -98,13 +98,13 @@ Result<TextureSlot> read_texture_slot(const Json& info, const std::vector<Textur
     HM_TRY_ASSIGN(const std::size_t index,
                   info.required("index", info.index("index", textures.size(), "textures")));
     const Texture& texture = textures[index];
-    const std::string place = fmt::format("/textures/{}", index);
+    const std::string pointer = fmt::format("/textures/{}", index);
     if (!texture.extension.empty())
         return fail(
-            ErrorKind::unsupported, source.file, place,
+            ErrorKind::unsupported, source.file, pointer,
             fmt::format("its only image is {}'s, which is not supported", texture.extension));
     TextureSlot slot = texture.slot;
-    if (slot.image == kUnset) source.warn(place, "a texture without an image is left out");
+    if (slot.image == kUnset) source.warn(pointer, "a texture without an image is left out");
 
     HM_TRY_ASSIGN(const auto own_set, info.integer("texCoord"));
     HM_TRY_ASSIGN(const auto transform, info.extension("KHR_texture_transform"));
@@ -115,7 +115,7 @@ Result<TextureSlot> read_texture_slot(const Json& info, const std::vector<Textur
         uv_set = other_set.value_or(uv_set);
     }
     if (uv_set > 1) {
-        source.warn(info.place(),
+        source.warn(info.pointer(),
                     "texture coordinates beyond TEXCOORD_1 are not supported; "
                     "TEXCOORD_0 is used");
         uv_set = 0;

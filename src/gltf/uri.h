@@ -11,7 +11,7 @@
 
 namespace hm::gltf {
 
-// Errors are the message alone; callers know the file and the place.
+// Errors are the message alone; callers know the file and the pointer.
 template <class T>
 using UriResult = tl::expected<T, std::string>;
 

@@ -128,18 +128,18 @@ TEST(Uri, ExternalFiles) {
     const auto shorter = load("sub%20dir/tri.bin", 165);
     ASSERT_FALSE(shorter);
     EXPECT_EQ(shorter.error().kind, ErrorKind::invalid);
-    EXPECT_EQ(shorter.error().place, "/buffers/0/byteLength");
+    EXPECT_EQ(shorter.error().location, "/buffers/0/byteLength");
 
     for (const char* missing : {"none.bin", "sub%20dir"}) {
         const auto scene = load(missing, 164);
         ASSERT_FALSE(scene);
         EXPECT_EQ(scene.error().kind, ErrorKind::unreadable);
-        EXPECT_EQ(scene.error().place, "/buffers/0/uri");
+        EXPECT_EQ(scene.error().location, "/buffers/0/uri");
     }
     const auto escaping = load("../tri.bin", 164);
     ASSERT_FALSE(escaping);
     EXPECT_EQ(escaping.error().kind, ErrorKind::invalid);
-    EXPECT_EQ(escaping.error().place, "/buffers/0/uri");
+    EXPECT_EQ(escaping.error().location, "/buffers/0/uri");
 }
 
 }  // namespace

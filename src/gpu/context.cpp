@@ -35,7 +35,7 @@ void GpuContext::save_cache() {
     const Result<void> saved = cache_.save();
     if (saved) return;
     const Error& error = saved.error();
-    diagnostics_.warn(error.file, error.place,
+    diagnostics_.warn(error.file, error.location,
                       "compiled pipelines can't be kept for the next run: " + error.message);
 }
 

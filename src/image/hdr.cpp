@@ -64,9 +64,9 @@ class Cursor {
     Bytes rest_;
 };
 
-tl::unexpected<Error> refuse(std::string_view name, std::string place, std::string message,
+tl::unexpected<Error> refuse(std::string_view name, std::string location, std::string message,
                              ErrorKind kind = ErrorKind::invalid) {
-    return fail(kind, std::string(name), std::move(place), "HDR: " + std::move(message));
+    return fail(kind, std::string(name), std::move(location), "HDR: " + std::move(message));
 }
 
 // The next number of `text`, which loses it and the blanks before it.

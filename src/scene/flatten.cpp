@@ -114,7 +114,7 @@ void add_instance(FlatScene& flat, const Scene& scene, InstanceOrigin origin,
     const double determinant = glm::determinant(glm::dmat3(to_world));
     const glm::dmat4 to_object = glm::inverse(to_world);
     if (determinant == 0.0 || !all_finite(to_object)) {
-        diagnostics.warn(scene.file, place_of(node),
+        diagnostics.warn(scene.file, pointer_of(node),
                          node.instances.empty()
                              ? "a node is scaled to nothing; its mesh is not drawn"
                              : "an instance is scaled to nothing; it is not drawn");
@@ -157,7 +157,7 @@ void warn_of_lost_directions(const Scene& scene, const std::vector<glm::mat4>& w
         const bool aimed_light =
             node.light != kUnset && scene.lights[std::size_t(node.light)].kind != kLightPoint;
         if ((node.camera == kUnset && !aimed_light) || has_direction(world[i])) continue;
-        diagnostics.warn(scene.file, place_of(node),
+        diagnostics.warn(scene.file, pointer_of(node),
                          "a camera or lamp is scaled to nothing; it looks along the world's -z");
     }
 }

@@ -51,9 +51,9 @@ TEST(Flatten, NodesScaledToNothingAreLeftOutWithAWarning) {
     FlatScene flat = flatten(b.scene, {}, {}, diagnostics);
     EXPECT_EQ(flat.instances.size(), 2u);
     ASSERT_EQ(diagnostics.warnings().size(), 2u);
-    EXPECT_EQ(diagnostics.warnings()[0].place, "/nodes/7");
+    EXPECT_EQ(diagnostics.warnings()[0].location, "/nodes/7");
     EXPECT_EQ(diagnostics.warnings()[0].count, 2u);
-    EXPECT_EQ(diagnostics.warnings()[1].place, "/nodes/5");
+    EXPECT_EQ(diagnostics.warnings()[1].location, "/nodes/5");
 }
 
 TEST(Flatten, LampsAndCamerasWithoutDirectionAreWarnedOf) {
@@ -73,7 +73,7 @@ TEST(Flatten, LampsAndCamerasWithoutDirectionAreWarnedOf) {
     const FlatScene flat = flatten(b.scene, {}, {}, diagnostics);
     EXPECT_EQ(flat.lights.at(1).direction, vec3(0, 0, -1));
     ASSERT_EQ(diagnostics.warnings().size(), 1u);
-    EXPECT_EQ(diagnostics.warnings()[0].place, "/nodes/4");
+    EXPECT_EQ(diagnostics.warnings()[0].location, "/nodes/4");
     EXPECT_EQ(diagnostics.warnings()[0].count, 2u);
 }
 

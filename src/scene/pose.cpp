@@ -115,7 +115,7 @@ bool mostly_mirror(const std::vector<glm::mat4>& matrices) {
 }
 
 tl::unexpected<Error> overflows(const Scene& scene, const Node& node, const char* what) {
-    return fail(ErrorKind::invalid, scene.file, place_of(node),
+    return fail(ErrorKind::invalid, scene.file, pointer_of(node),
                 fmt::format("the {} of node \"{}\" overflows a 32-bit float at this time", what,
                             node.name));
 }

@@ -198,7 +198,7 @@ TEST(Posing, OverflowIsAnError) {
     const auto posed = pose_scene(scene, std::nullopt);
     ASSERT_FALSE(posed);
     EXPECT_EQ(posed.error().kind, ErrorKind::invalid);
-    EXPECT_EQ(posed.error().place, "/nodes/3");
+    EXPECT_EQ(posed.error().location, "/nodes/3");
 }
 
 TEST(Posing, AnimationsByNameAndIndex) {

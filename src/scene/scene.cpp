@@ -4,7 +4,7 @@
 
 namespace hm {
 
-std::string place_of(const Node& node) {
+std::string pointer_of(const Node& node) {
     return node.index == kUnset ? "" : fmt::format("/nodes/{}", node.index);
 }
 

@@ -131,7 +131,7 @@ struct Scene {
 };
 
 // JSON pointer to the node in its file; empty for a node that no file has.
-std::string place_of(const Node& node);
+std::string pointer_of(const Node& node);
 
 // Whether each node and all its ancestors are visible.
 std::vector<bool> visible_nodes(const Scene& scene);

@@ -106,7 +106,7 @@ TEST_F(DenoiseCommand, GuidesThatAreMissingAreNamed) {
     ASSERT_TRUE(draw({"--aov", "albedo", "-o", path("a.exr")}));
     const auto refused = run({"denoise", path("a.exr"), "-o", path("b.exr")});
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ExitCode::invalid);
+    EXPECT_EQ(refused.error().kind, ErrorKind::invalid);
     EXPECT_EQ(refused.error().file, path("a.exr"));
     EXPECT_NE(refused.error().message.find("no layer \"normal\""), std::string::npos);
     EXPECT_FALSE(fs::exists(path("b.exr")));
@@ -131,7 +131,7 @@ TEST_F(DenoiseCommand, WithoutTheLibraryNothingIsRendered) {
     const auto plain = draw({"-o", path("b.exr")});
     before ? ::setenv("HIMALAYA_OIDN", kept.c_str(), 1) : ::unsetenv("HIMALAYA_OIDN");
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ExitCode::no_device);
+    EXPECT_EQ(refused.error().kind, ErrorKind::no_device);
     EXPECT_NE(refused.error().message.find("scripts/fetch-oidn.sh"), std::string::npos);
     EXPECT_FALSE(fs::exists(path("a.exr")));
     EXPECT_TRUE(plain);  // rendering does not need it

@@ -11,7 +11,7 @@ namespace {
 
 namespace dom = simdjson::dom;
 
-void expect_matches(dom::element schema, dom::element value, const std::string& place);
+void expect_matches(dom::element schema, dom::element value, const std::string& pointer);
 
 bool has_type(std::string_view type, dom::element value) {
     const bool integer = value.is_uint64() || value.is_int64();
@@ -31,47 +31,47 @@ bool type_matches(dom::element type, dom::element value) {
     return false;
 }
 
-void expect_object_matches(dom::element schema, dom::object value, const std::string& place) {
+void expect_object_matches(dom::element schema, dom::object value, const std::string& pointer) {
     dom::array required;
-    ASSERT_EQ(schema["required"].get(required), simdjson::SUCCESS) << place;
+    ASSERT_EQ(schema["required"].get(required), simdjson::SUCCESS) << pointer;
     for (const dom::element name : required)
         EXPECT_EQ(value.at_key(name.get_string().value()).error(), simdjson::SUCCESS)
-            << place << " lacks " << name;
+            << pointer << " lacks " << name;
     for (const auto& [key, field] : value) {
         dom::element known;
-        const std::string here = place + "/" + std::string(key);
+        const std::string here = pointer + "/" + std::string(key);
         ASSERT_EQ(schema["properties"].at_key(key).get(known), simdjson::SUCCESS)
             << here << " is not in the schema";
         expect_matches(known, field, here);
     }
 }
 
-void expect_matches(dom::element schema, dom::element value, const std::string& place) {
+void expect_matches(dom::element schema, dom::element value, const std::string& pointer) {
     dom::element keyword;
     if (schema["oneOf"].get(keyword) == simdjson::SUCCESS) {
         // Always null or something.
-        if (!value.is_null()) expect_matches(keyword.at(1).value(), value, place);
+        if (!value.is_null()) expect_matches(keyword.at(1).value(), value, pointer);
         return;
     }
     if (schema["const"].get(keyword) == simdjson::SUCCESS) {
-        EXPECT_EQ(simdjson::minify(keyword), simdjson::minify(value)) << place;
+        EXPECT_EQ(simdjson::minify(keyword), simdjson::minify(value)) << pointer;
     }
     if (schema["enum"].get(keyword) == simdjson::SUCCESS) {
         bool known = false;
         for (const dom::element one : keyword.get_array())
             known = known || simdjson::minify(one) == simdjson::minify(value);
-        EXPECT_TRUE(known) << place << ": " << value;
+        EXPECT_TRUE(known) << pointer << ": " << value;
     }
     if (schema["type"].get(keyword) == simdjson::SUCCESS) {
-        ASSERT_TRUE(type_matches(keyword, value)) << place << ": " << value;
+        ASSERT_TRUE(type_matches(keyword, value)) << pointer << ": " << value;
     }
-    if (value.is_object()) expect_object_matches(schema, value.get_object().value(), place);
+    if (value.is_object()) expect_object_matches(schema, value.get_object().value(), pointer);
     if (!value.is_array()) return;
     std::size_t count = 0;
     for (const dom::element item : value.get_array())
-        expect_matches(schema["items"].value(), item, place + "/" + std::to_string(count++));
+        expect_matches(schema["items"].value(), item, pointer + "/" + std::to_string(count++));
     if (schema["minItems"].get(keyword) == simdjson::SUCCESS) {
-        EXPECT_EQ(count, keyword.get_uint64().value()) << place;
+        EXPECT_EQ(count, keyword.get_uint64().value()) << pointer;
     }
 }
 

@@ -37,7 +37,7 @@ inline Edit put(std::size_t offset, std::string bytes) {
 }
 
 // What the loader does with the file.
-//   refused  an error with this code and place, and `message` in its text
+//   refused  an error with this code and pointer, and `message` in its text
 //   warned   loads with such a warning
 //   ignored  loads without a word
 // All but the first say why in `reason`.
@@ -45,17 +45,18 @@ struct Expected {
     enum class Outcome { refused, warned, ignored };
     Outcome outcome = Outcome::refused;
     std::optional<ErrorKind> kind;
-    std::string place;
+    std::string pointer;
     std::string message;
     std::string reason;
 };
 
-inline Expected refused(std::string place, std::string message,
+inline Expected refused(std::string pointer, std::string message,
                         ErrorKind kind = ErrorKind::invalid) {
-    return {Expected::Outcome::refused, kind, std::move(place), std::move(message), {}};
+    return {Expected::Outcome::refused, kind, std::move(pointer), std::move(message), {}};
 }
-inline Expected warned(std::string place, std::string message, std::string reason) {
-    return {Expected::Outcome::warned, {}, std::move(place), std::move(message), std::move(reason)};
+inline Expected warned(std::string pointer, std::string message, std::string reason) {
+    return {
+        Expected::Outcome::warned, {}, std::move(pointer), std::move(message), std::move(reason)};
 }
 inline Expected ignored(std::string reason) {
     return {Expected::Outcome::ignored, {}, {}, {}, std::move(reason)};

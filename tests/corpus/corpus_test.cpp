@@ -1,4 +1,4 @@
-// Every file of the corpus through the loader: refused with the expected code, place and message,
+// Every file of the corpus through the loader: refused with the expected code, pointer and message,
 // or tolerated as expected.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -36,14 +36,14 @@ std::size_t warnings_of_base(Base base) {
     return found->second;
 }
 
-bool matches(const Expected& expected, std::string_view place, const std::string& message) {
-    return place == expected.place && message.find(expected.message) != std::string::npos;
+bool matches(const Expected& expected, std::string_view pointer, const std::string& message) {
+    return pointer == expected.pointer && message.find(expected.message) != std::string::npos;
 }
 
 std::string all_lines(const Diagnostics& diagnostics) {
     std::string text;
     for (const Warning& warning : diagnostics.warnings())
-        text += "\n    " + warning.place + ": " + warning.message;
+        text += "\n    " + warning.location + ": " + warning.message;
     return text;
 }
 
@@ -55,14 +55,15 @@ std::string mismatch(const Case& c) {
     if (!scene) {
         const Error& error = scene.error();
         if (expected.outcome == Outcome::refused && error.kind == expected.kind &&
-            matches(expected, error.place, error.message) && !error.message.empty())
+            matches(expected, error.location, error.message) && !error.message.empty())
             return {};
-        return fmt::format("refused, {}, {}: {}", name_of(error.kind), error.place, error.message);
+        return fmt::format("refused, {}, {}: {}", name_of(error.kind), error.location,
+                           error.message);
     }
     const auto& warnings = diagnostics.warnings();
     const bool warned = std::any_of(warnings.begin(), warnings.end(), [&](const Warning& w) {
         // A GLB's byte offsets depend on the base's size.
-        return matches(expected, w.place.starts_with("byte ") ? "" : w.place, w.message);
+        return matches(expected, w.location.starts_with("byte ") ? "" : w.location, w.message);
     });
     if (expected.outcome == Outcome::warned && warned) return {};
     if (expected.outcome == Outcome::ignored && warnings.size() == warnings_of_base(c.base))
@@ -78,7 +79,7 @@ TEST(BrokenFiles, AreRefusedOrToleratedAsExpected) {
         const std::string text = mismatch(c);
         EXPECT_TRUE(text.empty()) << c.file << " (" << c.rule << ")\n  " << text << "\n  expected "
                                   << name_of(c.expected.kind.value_or(ErrorKind::internal)) << ", "
-                                  << c.expected.place << ": " << c.expected.message
+                                  << c.expected.pointer << ": " << c.expected.message
                                   << c.expected.reason;
     }
 }

@@ -39,7 +39,7 @@ std::string entry(const Case& c) {
         "   \"validator\": {}, \"validatorReason\": {}}}",
         json_string(c.file), json_string(c.rule), json_string(c.section),
         json_string(name(e.outcome)), json_string(e.kind ? name_of(*e.kind) : ""),
-        json_string(e.place), json_string(e.message), json_string(e.reason),
+        json_string(e.pointer), json_string(e.message), json_string(e.reason),
         c.validator_silence.empty() ? "\"error\"" : "\"no error\"",
         json_string(c.validator_silence));
 }

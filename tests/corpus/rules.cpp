@@ -21,7 +21,7 @@ Added& Added::silent(const Silence& reason) {
     return *this;
 }
 
-std::string Object::place(std::string_view key) const {
+std::string Object::pointer(std::string_view key) const {
     return key.empty() ? place_ : fmt::format("{}/{}", place_, key);
 }
 
@@ -40,7 +40,8 @@ Added Object::rule(std::string_view slug, std::string_view rule, Edits edits, Ex
 Added Object::value(std::string_view key, std::string_view slug, std::string_view json,
                     std::string_view text, std::string_view message) {
     return rule(fmt::format("{}-{}", key, slug), fmt::format("{}: {}", key, text),
-                {set(place(key), std::string(json))}, refused(place(key), std::string(message)));
+                {set(pointer(key), std::string(json))},
+                refused(pointer(key), std::string(message)));
 }
 
 Added Object::wrong_type(std::string_view key, std::string_view json, std::string_view type,
@@ -51,7 +52,7 @@ Added Object::wrong_type(std::string_view key, std::string_view json, std::strin
 
 Added Object::required(std::string_view key) {
     return rule(fmt::format("{}-missing", key), fmt::format("{}: is required", key),
-                {drop(place(key))}, refused(place(key), "is required"));
+                {drop(pointer(key))}, refused(pointer(key), "is required"));
 }
 
 Added Object::flag(std::string_view key) {
@@ -98,20 +99,21 @@ Added Object::object(std::string_view key) {
 Added Object::objects(std::string_view key) {
     Added added = wrong_type(key, "{}", "an array", "an object");
     rule(fmt::format("{}-element-type", key), fmt::format("{}: elements are objects", key),
-         {set(place(key), "[null]")}, refused(place(key) + "/0", "expected an object, found null"));
+         {set(pointer(key), "[null]")},
+         refused(pointer(key) + "/0", "expected an object, found null"));
     return added;
 }
 
 Added Object::indices(std::string_view key) {
     Added added = wrong_type(key, "0", "an array", "a number");
     rule(fmt::format("{}-element-type", key), fmt::format("{}: elements are integers", key),
-         {set(place(key), R"(["0"])")},
-         refused(place(key) + "/0", "expected an integer, found a string"));
+         {set(pointer(key), R"(["0"])")},
+         refused(pointer(key) + "/0", "expected an integer, found a string"));
     rule(fmt::format("{}-negative", key), fmt::format("{}: elements are not negative", key),
-         {set(place(key), "[-1]")}, refused(place(key) + "/0", "expected an integer from 0"));
+         {set(pointer(key), "[-1]")}, refused(pointer(key) + "/0", "expected an integer from 0"));
     rule(fmt::format("{}-past-end", key),
          fmt::format("{}: elements are indices of something that exists", key),
-         {set(place(key), "[99]")}, refused(place(key) + "/0", "is past the end of"));
+         {set(pointer(key), "[99]")}, refused(pointer(key) + "/0", "is past the end of"));
     return added;
 }
 
@@ -129,8 +131,8 @@ Added Object::numbers(std::string_view key, const std::vector<std::string>& vali
     value(key, "long", array(n + 1, valid[0]), fmt::format("has {} elements", n),
           fmt::format("expected {} numbers, found {}", n, n + 1));
     rule(fmt::format("{}-element-type", key), fmt::format("{}: elements are numbers", key),
-         {set(place(key), array(n, "null"))},
-         refused(place(key) + "/0", "expected a number, found null"));
+         {set(pointer(key), array(n, "null"))},
+         refused(pointer(key) + "/0", "expected a number, found null"));
     return added;
 }
 
@@ -138,8 +140,8 @@ Added Object::extensions() {
     const std::size_t first = cases_.size();
     value("extensions", "type", "[]", "is an object", "expected an object, found an array");
     rule("extensions-element-type", "extensions: elements are objects",
-         {set(place("extensions"), R"({"EXT_a":1})")},
-         refused(place("extensions/EXT_a"), "expected an object, found a number"));
+         {set(pointer("extensions"), R"({"EXT_a":1})")},
+         refused(pointer("extensions/EXT_a"), "expected an object, found a number"));
     return {cases_, first};
 }
 

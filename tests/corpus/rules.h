@@ -25,13 +25,13 @@ class Added {
 // One object of a base document.
 class Object {
   public:
-    // `name` starts the file names: "accessor" at `place` "/accessors/0".
-    Object(std::vector<Case>& cases, std::string name, std::string section, std::string place,
+    // `name` starts the file names: "accessor" at `pointer` "/accessors/0".
+    Object(std::vector<Case>& cases, std::string name, std::string section, std::string pointer,
            Base base = Base::still)
         : cases_(cases),
           name_(std::move(name)),
           section_(std::move(section)),
-          place_(std::move(place)),
+          place_(std::move(pointer)),
           base_(base) {}
 
     // Absent; of another type; -1 and 0.5; past the end of the things counted.
@@ -62,7 +62,7 @@ class Object {
     // Any other change.
     Added rule(std::string_view slug, std::string_view rule, Edits edits, Expected expected);
 
-    std::string place(std::string_view key) const;
+    std::string pointer(std::string_view key) const;
 
   private:
     Added wrong_type(std::string_view key, std::string_view json, std::string_view type,

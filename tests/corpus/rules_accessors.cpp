@@ -44,7 +44,7 @@ void add_extrema(std::vector<Case>& cases) {
                                   "the elements themselves are read");
     for (const char* key : {"min", "max"}) {
         accessor.numbers(key, {"0", "0", "0"});
-        accessor.empty(key).expect(refused(accessor.place(key), "expected 3 numbers, found 0"));
+        accessor.empty(key).expect(refused(accessor.pointer(key), "expected 3 numbers, found 0"));
         accessor.required(key).expect(warned("/accessors/0", "lacks the min and max", kRepaired));
         accessor.value(key, "wrong", "[0.5,0.5,0.5]", "is that of the data", "").expect(wrong);
     }
@@ -102,9 +102,9 @@ void add_sparse(std::vector<Case>& cases) {
     indices.index("bufferView");
     indices.integer("byteOffset");
     indices.value("byteOffset", "past-end", "4", "within the buffer view", "")
-        .expect(refused(indices.place(""), "1 elements pass the end of buffer view 6"));
+        .expect(refused(indices.pointer(""), "1 elements pass the end of buffer view 6"));
     indices.required("componentType");
-    indices.choice("componentType").expect(refused(indices.place("componentType"), ""));
+    indices.choice("componentType").expect(refused(indices.pointer("componentType"), ""));
     indices.unlisted("componentType", "signed", "5120", "is 5121, 5123 or 5125",
                      "sparse indices are unsigned integers");
     indices.unlisted("componentType", "float", "5126", "is 5121, 5123 or 5125",
@@ -114,13 +114,13 @@ void add_sparse(std::vector<Case>& cases) {
     indices.rule("unaligned", "byteOffset: a multiple of the component's size",
                  {set("/accessors/6/sparse/indices/componentType", "5123"),
                   set("/accessors/6/sparse/indices/byteOffset", "1")},
-                 refused(indices.place("byteOffset"), "not aligned to 2 bytes"));
+                 refused(indices.pointer("byteOffset"), "not aligned to 2 bytes"));
     indices.rule("value-past-end", "indices: below the accessor's count", {put(164, words({3}))},
-                 refused(indices.place(""), "past the accessor's end"));
+                 refused(indices.pointer(""), "past the accessor's end"));
     indices.rule("not-increasing", "indices: strictly increasing",
                  {set("/accessors/6/sparse/count", "2"), set("/bufferViews/7/byteLength", "24"),
                   put(164, words({0x0001}))},
-                 refused(indices.place(""), "does not increase"));
+                 refused(indices.pointer(""), "does not increase"));
     indices.common(false);
 
     Object values(cases, "sparse-values", "5.4", "/accessors/6/sparse/values");
@@ -128,10 +128,10 @@ void add_sparse(std::vector<Case>& cases) {
     values.index("bufferView");
     values.integer("byteOffset");
     values.value("byteOffset", "past-end", "4", "within the buffer view", "")
-        .expect(refused(values.place(""), "1 elements pass the end of buffer view 7"));
+        .expect(refused(values.pointer(""), "1 elements pass the end of buffer view 7"));
     values.rule("unaligned", "byteOffset: a multiple of the component's size",
                 {set("/bufferViews/7/byteOffset", "169")},
-                refused(values.place("byteOffset"), "not aligned to 4 bytes"));
+                refused(values.pointer("byteOffset"), "not aligned to 4 bytes"));
     values.rule("nan", "values: not NaN", {put(168, floats({kNan}))},
                 refused("/accessors/6", "is not a number"));
     values.common(false);

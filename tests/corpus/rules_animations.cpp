@@ -18,9 +18,9 @@ void add_sampler_rules(std::vector<Case>& cases) {
     sampler.unlisted("interpolation", "unknown", R"("SMOOTH")", "is LINEAR, STEP or CUBICSPLINE",
                      "is no interpolation");
     const auto input = [&](const char* slug, const char* rule, Edits edits, const char* message) {
-        sampler.rule(slug, rule, std::move(edits), refused(sampler.place("input"), message));
+        sampler.rule(slug, rule, std::move(edits), refused(sampler.pointer("input"), message));
     };
-    input("input-vector", "input: scalars", {set(sampler.place("input"), "6")},
+    input("input-vector", "input: scalars", {set(sampler.pointer("input"), "6")},
           "times are scalars of floats");
     input("input-integers", "input: floats", {set("/accessors/5/componentType", "5125")},
           "times are scalars of floats");
@@ -42,7 +42,7 @@ void add_sampler_rules(std::vector<Case>& cases) {
     output("output-cubic", "output: three elements for each key of a spline",
            {set("/accessors/9/count", "5")}, 3, "has 5 elements where 6 are needed");
     output("output-translation", "output: VEC3 for translations",
-           {set(sampler.place("output"), "7")}, 0, "a type that translation can't have");
+           {set(sampler.pointer("output"), "7")}, 0, "a type that translation can't have");
     output("output-rotation", "output: VEC4 for rotations",
            {set("/animations/0/samplers/1/output", "6")}, 1, "a type that rotation can't have");
     output("output-weights", "output: scalars for weights",
@@ -85,11 +85,11 @@ void add_animation_rules(std::vector<Case>& cases) {
     target.text("path");
     target
         .unlisted("path", "unknown", R"("color")", "is translation, rotation, scale or weights", "")
-        .expect(warned(target.place(""), "whose target is not known", kSkipped));
+        .expect(warned(target.pointer(""), "whose target is not known", kSkipped));
     target.index("node");
     target.rule("matrix", "node: has no matrix",
                 {set("/nodes/1/matrix", "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]")},
-                refused(target.place("node"), "a node with a matrix can't be animated"));
+                refused(target.pointer("node"), "a node with a matrix can't be animated"));
     target.rule("weights-no-mesh", "path: weights only for nodes with morph targets",
                 {set("/animations/0/channels/2/target/node", "2")},
                 refused("/animations/0/channels/2/target/node", "no mesh with morph targets"));

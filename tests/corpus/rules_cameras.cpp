@@ -38,7 +38,7 @@ void add_orthographic_rules(std::vector<Case>& cases) {
     for (const char* key : {"xmag", "ymag"}) {
         view.value(key, "zero", "0", "is not 0", "must not be 0");
         view.value(key, "negative", "-1", "should not be negative", "")
-            .expect(warned(view.place(""), "negative magnification", kRepaired))
+            .expect(warned(view.pointer(""), "negative magnification", kRepaired))
             .silent(kOnlyWarns);
     }
     view.value("znear", "negative", "-1", "is at least 0", "must not be negative");
@@ -88,7 +88,7 @@ void add_light_rules(std::vector<Case>& cases) {
     light.numbers("color", {"1", "1", "1"});
     light.value("color", "below", "[-1,1,1]", "elements are at least 0", "must not be negative");
     light.value("color", "above", "[1,2,1]", "elements are at most 1", "")
-        .expect(warned(light.place("color"), "above 1", kRepaired));
+        .expect(warned(light.pointer("color"), "above 1", kRepaired));
     light.number("intensity");
     light.value("intensity", "negative", "-1", "is at least 0", "must not be negative");
     light.value("intensity", "huge", "1e39", "fits a 32-bit float", "does not fit a 32-bit float")
@@ -105,9 +105,9 @@ void add_light_rules(std::vector<Case>& cases) {
     spot.number("innerConeAngle");
     spot.value("innerConeAngle", "negative", "-0.1", "is at least 0", "must not be negative");
     spot.value("innerConeAngle", "above", "0.6", "is less than outerConeAngle", "")
-        .expect(refused(spot.place("outerConeAngle"), "must be greater than innerConeAngle"));
+        .expect(refused(spot.pointer("outerConeAngle"), "must be greater than innerConeAngle"));
     spot.value("innerConeAngle", "equal", "0.5", "is less than outerConeAngle", "")
-        .expect(warned(spot.place(""), "the cone angles are equal", kRepaired));
+        .expect(warned(spot.pointer(""), "the cone angles are equal", kRepaired));
     spot.number("outerConeAngle");
     spot.value("outerConeAngle", "zero", "0", "is greater than 0", "must be greater than");
     spot.value("outerConeAngle", "above", "1.6", "is at most pi / 2", "must not be greater than");

@@ -102,7 +102,7 @@ void add_glb_rules(std::vector<Case>& cases) {
         add_packed(cases, fmt::format("glb-{}.glb", slug), rule, "4.4", std::move(pack),
                    std::move(expected), std::move(silence));
     };
-    // Changes the bytes at a place of a good GLB.
+    // Changes the bytes at a pointer of a good GLB.
     const auto patched = [](std::size_t at, std::string bytes) {
         return [=](std::string text, std::string buffer) {
             return make_glb(text, buffer).replace(at, bytes.size(), bytes);

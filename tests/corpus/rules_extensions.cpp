@@ -48,14 +48,14 @@ void add_variants(std::vector<Case>& cases) {
     Object variant(cases, "variant", name, "/extensions/" + name + "/variants/0", Base::extended);
     variant.required("name");
     variant.text("name");
-    const std::string place = "/meshes/0/primitives/0/extensions";
-    Object primitive(cases, "primitive-variants", name, place, Base::extended);
+    const std::string pointer = "/meshes/0/primitives/0/extensions";
+    Object primitive(cases, "primitive-variants", name, pointer, Base::extended);
     primitive.object(name);
-    Object mappings(cases, "primitive-variants", name, place + "/" + name, Base::extended);
+    Object mappings(cases, "primitive-variants", name, pointer + "/" + name, Base::extended);
     mappings.required("mappings");
     mappings.objects("mappings");
     mappings.empty("mappings").expect(ignored(kEmptyIsNone));
-    Object mapping(cases, "mapping", name, place + "/" + name + "/mappings/0", Base::extended);
+    Object mapping(cases, "mapping", name, pointer + "/" + name + "/mappings/0", Base::extended);
     mapping.required("material");
     mapping.index("material");
     mapping.required("variants");
@@ -63,7 +63,7 @@ void add_variants(std::vector<Case>& cases) {
     mapping.empty("variants").expect(ignored(kEmptyIsNone));
     mapping.value("variants", "repeated", "[0,0]", "has no element twice", "variant 0 again");
     mapping.value("variants", "claimed", "[0,1]", "each variant in one mapping only", "")
-        .expect(refused(place + "/" + name + "/mappings/1/variants", "variant 1 again"));
+        .expect(refused(pointer + "/" + name + "/mappings/1/variants", "variant 1 again"));
 }
 
 void add_instancing(std::vector<Case>& cases) {
@@ -74,7 +74,7 @@ void add_instancing(std::vector<Case>& cases) {
     Object instances(cases, "instances", name, "/nodes/0/extensions/" + name, Base::extended);
     instances.required("attributes");
     instances.object("attributes");
-    Object attributes(cases, "instances", name, instances.place("attributes"), Base::extended);
+    Object attributes(cases, "instances", name, instances.pointer("attributes"), Base::extended);
     for (const char* key : {"TRANSLATION", "ROTATION", "SCALE"})
         attributes.index(key);
     attributes.value("TRANSLATION", "vec4", "3", "VEC3 of floats", kMistyped);
@@ -82,11 +82,11 @@ void add_instancing(std::vector<Case>& cases) {
     attributes.value("SCALE", "vec4", "3", "VEC3 of floats", kMistyped);
     attributes.rule("count", "all attributes have as many elements",
                     {set("/accessors/4/count", "1")},
-                    refused(attributes.place("SCALE"), "has 1 elements, another has 2"));
+                    refused(attributes.pointer("SCALE"), "has 1 elements, another has 2"));
     attributes.rule("no-mesh", "the node has a mesh", {drop("/nodes/0/mesh")},
                     warned("/nodes/0", "instances of no mesh", kSkipped));
     attributes.rule("rotation-zero", "ROTATION: unit length", {put(60, floats({0, 0, 0, 0}))},
-                    refused(attributes.place("ROTATION"), "element 0: a zero quaternion"));
+                    refused(attributes.pointer("ROTATION"), "element 0: a zero quaternion"));
     Added(cases, first).silent(kUnknown);
     attributes.rule("translation-nan", "floats: not NaN", {put(36, words({0x7fc00000}))},
                     refused("/accessors/2", "element 0 is not a number"));
@@ -99,13 +99,14 @@ void add_quantization(std::vector<Case>& cases) {
               {drop("/extensionsRequired")}, ignored("exporters forget to require it"));
     mesh.rule("normal-unsigned", "NORMAL: signed and normalized",
               {set("/accessors/1/componentType", "5121")},
-              refused(mesh.place("NORMAL"), kMistyped));
+              refused(mesh.pointer("NORMAL"), kMistyped));
     mesh.rule("normal-not-normalized", "NORMAL: signed and normalized",
-              {set("/accessors/1/normalized", "false")}, refused(mesh.place("NORMAL"), kMistyped));
+              {set("/accessors/1/normalized", "false")},
+              refused(mesh.pointer("NORMAL"), kMistyped));
     mesh.rule("position-uint", "POSITION: integers of 8 or 16 bits",
               {set("/accessors/0/componentType", "5125"), set("/accessors/0/count", "2"),
                set("/accessors/1/count", "2"), set("/bufferViews/0/byteStride", "12")},
-              refused(mesh.place("POSITION"), kMistyped));
+              refused(mesh.pointer("POSITION"), kMistyped));
     mesh.rule("unaligned", "strides: multiples of 4",
               {drop("/bufferViews/0/byteStride"), set("/accessors/0/max", "[1,1,0]")},
               warned("/accessors/0", "not aligned to 4 bytes", kDecodable));
@@ -115,12 +116,12 @@ void add_visibility(std::vector<Case>& cases) {
     const std::string name = "KHR_node_visibility";
     Object node(cases, "visibility", name, "/nodes/0/extensions", Base::extended);
     const auto show = [&](const char* json) {
-        return Edits{set("/extensionsUsed/3", '"' + name + '"'), set(node.place(name), json)};
+        return Edits{set("/extensionsUsed/3", '"' + name + '"'), set(node.pointer(name), json)};
     };
     node.rule("type", "KHR_node_visibility: is an object", show("true"),
-              refused(node.place(name), "expected an object, found a boolean"));
+              refused(node.pointer(name), "expected an object, found a boolean"));
     node.rule("visible-type", "visible: is a boolean", show(R"({"visible":1})"),
-              refused(node.place(name + "/visible"), "expected a boolean, found a number"))
+              refused(node.pointer(name + "/visible"), "expected a boolean, found a number"))
         .silent(kUnknown);
 }
 
@@ -130,23 +131,23 @@ void add_pointers(std::vector<Case>& cases) {
     Object target(cases, "pointer", name, "/animations/0/channels/0/target", Base::moving);
     const auto aim = [&](const std::string& extension) {
         return Edits{set("/extensionsUsed", "[\"" + name + "\"]"),
-                     set(target.place(""),
+                     set(target.pointer(""),
                          R"({"path":"pointer","extensions":{")" + name + "\":" + extension + "}}")};
     };
-    const std::string place = target.place("extensions/" + name + "/pointer");
-    target.rule("missing", "pointer: is required", aim("{}"), refused(place, "is required"));
+    const std::string pointer = target.pointer("extensions/" + name + "/pointer");
+    target.rule("missing", "pointer: is required", aim("{}"), refused(pointer, "is required"));
     target.rule("type", "pointer: is a string", aim(R"({"pointer":7})"),
-                refused(place, "expected a string, found a number"));
+                refused(pointer, "expected a string, found a number"));
     const std::size_t first = cases.size();
     target.rule("past-end", "pointer: leads to something that exists",
                 aim(R"({"pointer":"/nodes/99/translation"})"),
-                refused(place, "leads to nothing in the file"));
+                refused(pointer, "leads to nothing in the file"));
     target.rule("undefined", "pointer: the property's object is there",
                 aim(R"({"pointer":"/cameras/0/perspective/yfov"})"),
-                refused(place, "leads to nothing in the file"));
+                refused(pointer, "leads to nothing in the file"));
     target.rule("immutable", "pointer: leads to a property that may change",
                 aim(R"({"pointer":"/nodes/1/mesh"})"),
-                warned(target.place(""), "whose target can't be animated", kSkipped));
+                warned(target.pointer(""), "whose target can't be animated", kSkipped));
     const auto rotate = [&](const char* property) {
         Edits edits = aim(fmt::format(R"({{"pointer":"/nodes/1/{}"}})", property));
         edits.push_back(set("/animations/0/samplers/0/output", "7"));

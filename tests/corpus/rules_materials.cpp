@@ -14,10 +14,10 @@ void add_limits(Object& object, std::string_view key, const char* below, const c
         object.value(key, "huge", "1e300", "fits a 32-bit float", "does not fit a 32-bit float");
     if (above == nullptr) huge.silent(kFloatRange);
     object.value(key, "below", below, "is not less than its minimum", "")
-        .expect(warned(object.place(key), "", kClamped));
+        .expect(warned(object.pointer(key), "", kClamped));
     if (above != nullptr)
         object.value(key, "above", above, "is not more than its maximum", "")
-            .expect(warned(object.place(key), "clamped", kClamped));
+            .expect(warned(object.pointer(key), "clamped", kClamped));
 }
 
 void add_slot(std::vector<Case>& cases, const std::string& parent, const std::string& key) {
@@ -34,9 +34,9 @@ void add_metallic_roughness(std::vector<Case>& cases) {
     Object pbr(cases, "pbr", "5.22", "/materials/0/pbrMetallicRoughness");
     pbr.numbers("baseColorFactor", {"1", "1", "1", "1"});
     pbr.value("baseColorFactor", "below", "[-0.5,1,1,1]", "elements are at least 0", "")
-        .expect(warned(pbr.place("baseColorFactor"), "outside 0 to 1", kClamped));
+        .expect(warned(pbr.pointer("baseColorFactor"), "outside 0 to 1", kClamped));
     pbr.value("baseColorFactor", "above", "[1,1,1,1.5]", "elements are at most 1", "")
-        .expect(warned(pbr.place("baseColorFactor"), "outside 0 to 1", kClamped));
+        .expect(warned(pbr.pointer("baseColorFactor"), "outside 0 to 1", kClamped));
     add_limits(pbr, "metallicFactor", "-0.1", "1.1");
     add_limits(pbr, "roughnessFactor", "-0.1", "1.1");
     pbr.common(false);

@@ -15,26 +15,26 @@ void add_influence_rules(std::vector<Case>& cases) {
     attributes.index("WEIGHTS_0");
     const auto refuse = [&](const char* slug, const char* rule, Edits edits, const char* key,
                             const char* message) {
-        attributes.rule(slug, rule, std::move(edits), refused(attributes.place(key), message));
+        attributes.rule(slug, rule, std::move(edits), refused(attributes.pointer(key), message));
     };
     refuse("joints-missing", "JOINTS_0 and WEIGHTS_0: both or none",
-           {drop(attributes.place("JOINTS_0"))}, "WEIGHTS_0", "comes without JOINTS_0");
+           {drop(attributes.pointer("JOINTS_0"))}, "WEIGHTS_0", "comes without JOINTS_0");
     refuse("weights-missing", "JOINTS_0 and WEIGHTS_0: both or none",
-           {drop(attributes.place("WEIGHTS_0"))}, "JOINTS_0", "comes without WEIGHTS_0");
+           {drop(attributes.pointer("WEIGHTS_0"))}, "JOINTS_0", "comes without WEIGHTS_0");
     refuse("joints-type", "JOINTS_0: vectors of four unsigned integers",
-           {set(attributes.place("JOINTS_0"), "3")}, "JOINTS_0", kMistyped);
+           {set(attributes.pointer("JOINTS_0"), "3")}, "JOINTS_0", kMistyped);
     refuse("joints-signed", "JOINTS_0: vectors of four unsigned integers",
            {set("/accessors/2/componentType", "5120")}, "JOINTS_0", kMistyped);
     refuse("joints-normalized", "JOINTS_0: not normalized",
            {set("/accessors/2/normalized", "true")}, "JOINTS_0", kMistyped);
-    refuse("weights-type", "WEIGHTS_0: vectors of four", {set(attributes.place("WEIGHTS_0"), "0")},
-           "WEIGHTS_0", kMistyped);
+    refuse("weights-type", "WEIGHTS_0: vectors of four",
+           {set(attributes.pointer("WEIGHTS_0"), "0")}, "WEIGHTS_0", kMistyped);
     refuse("weights-integers", "WEIGHTS_0: integers are normalized",
-           {set(attributes.place("WEIGHTS_0"), "2")}, "WEIGHTS_0", kMistyped);
+           {set(attributes.pointer("WEIGHTS_0"), "2")}, "WEIGHTS_0", kMistyped);
     refuse("joints-count", "JOINTS_0: as many elements as POSITION",
            {set("/accessors/2/count", "2")}, "JOINTS_0", "has 2 elements, POSITION has 3");
     refuse("set-gap", "JOINTS and WEIGHTS: sets are numbered without gaps",
-           {set(attributes.place("JOINTS_2"), "2"), set(attributes.place("WEIGHTS_2"), "3")},
+           {set(attributes.pointer("JOINTS_2"), "2"), set(attributes.pointer("WEIGHTS_2"), "3")},
            "WEIGHTS_2", "without gaps");
     attributes.rule("joint-past-end", "JOINTS_0: below the count of the skin's joints",
                     {put(73, "\2")}, refused("/nodes/0/skin", "uses joint 2, the skin has 2"));
@@ -59,35 +59,35 @@ void add_target_rules(std::vector<Case>& cases) {
     Object target(cases, "target", "3.7.2.2", "/meshes/0/primitives/0/targets/0", Base::moving);
     target.index("POSITION");
     primitive.rule("empty-target", "targets: each has at least one attribute",
-                   {set(target.place(""), "{}")}, ignored(kEmptyIsNone));
+                   {set(target.pointer(""), "{}")}, ignored(kEmptyIsNone));
     primitive.rule("target-attribute", "targets: POSITION, NORMAL, TANGENT, TEXCOORD_n, COLOR_n",
-                   {set(target.place("JOINTS_0"), "2")}, ignored(kUnread));
+                   {set(target.pointer("JOINTS_0"), "2")}, ignored(kUnread));
     primitive.rule("target-base", "targets: only attributes that the primitive has",
-                   {set(target.place("NORMAL"), "1")},
-                   refused(target.place("NORMAL"), "the primitive itself has no such attribute"));
+                   {set(target.pointer("NORMAL"), "1")},
+                   refused(target.pointer("NORMAL"), "the primitive itself has no such attribute"));
     primitive.rule("target-count", "targets: as many elements as the primitive's",
                    {set("/accessors/1/count", "2"), set("/accessors/1/max", "[0,0,0]")},
-                   refused(target.place("POSITION"), "has 2 elements, POSITION has 3"));
+                   refused(target.pointer("POSITION"), "has 2 elements, POSITION has 3"));
     primitive.rule("target-type", "targets: positions are float vectors of three",
-                   {set(target.place("POSITION"), "3")},
-                   refused(target.place("POSITION"), "a type that this delta can't have"));
+                   {set(target.pointer("POSITION"), "3")},
+                   refused(target.pointer("POSITION"), "a type that this delta can't have"));
     primitive.rule("target-integers", "targets: integers only with KHR_mesh_quantization",
                    {set("/accessors/1/componentType", "5122"),
                     set("/bufferViews/1/byteStride", "8"), set("/accessors/1/max", "[0,0,0]")},
-                   refused(target.place("POSITION"), "a type that this delta can't have"));
+                   refused(target.pointer("POSITION"), "a type that this delta can't have"));
     primitive.rule("target-no-limits", "targets: positions have min and max",
                    {drop("/accessors/1/min")},
                    warned("/accessors/1", "lacks the min and max", kRepaired));
     primitive.rule("targets-differ", "targets: all primitives have as many",
                    {set("/meshes/0/primitives/1", R"({"attributes":{"POSITION":0}})")},
                    refused("/meshes/0/primitives", "one has 1 morph targets, another has 0"));
-    for (const char* place : {"/meshes/0", "/nodes/0"}) {
-        Object owner(cases, place[1] == 'm' ? "mesh-weights" : "node-weights",
-                     place[1] == 'm' ? "5.23" : "5.25", place, Base::moving);
+    for (const char* pointer : {"/meshes/0", "/nodes/0"}) {
+        Object owner(cases, pointer[1] == 'm' ? "mesh-weights" : "node-weights",
+                     pointer[1] == 'm' ? "5.23" : "5.25", pointer, Base::moving);
         owner.value("weights", "type", "0.5", "is an array", "expected an array, found a number");
         owner.value("weights", "element-type", R"(["0"])", "elements are numbers", "")
-            .expect(refused(owner.place("weights/0"), "expected a number, found a string"));
-        owner.empty("weights").expect(refused(owner.place("weights"), "0 weights for 1 morph"));
+            .expect(refused(owner.pointer("weights/0"), "expected a number, found a string"));
+        owner.empty("weights").expect(refused(owner.pointer("weights"), "0 weights for 1 morph"));
         owner.value("weights", "count", "[1,1]", "one for each target", "2 weights for 1 morph");
     }
     Object node(cases, "node-weights", "5.25", "/nodes/1", Base::moving);

@@ -73,25 +73,25 @@ std::string Tree::text() const {
     return out + (kind_ == Kind::object ? '}' : ']');
 }
 
-std::size_t Tree::place_of(std::string_view key) const {
-    std::size_t place = 0;
+std::size_t Tree::member_of(std::string_view key) const {
+    std::size_t pointer = 0;
     if (kind_ == Kind::array) {
-        std::from_chars(key.data(), key.data() + key.size(), place);
-        return place;
+        std::from_chars(key.data(), key.data() + key.size(), pointer);
+        return pointer;
     }
-    while (place < members_.size() && members_[place].first != key)
-        ++place;
-    return place;
+    while (pointer < members_.size() && members_[pointer].first != key)
+        ++pointer;
+    return pointer;
 }
 
 Tree& Tree::find(std::string_view pointer) {
     Tree* at = this;
     while (!pointer.empty()) {
         const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
-        const std::size_t place = at->place_of(pointer.substr(1, end - 1));
-        if (place >= at->members_.size())
-            throw std::logic_error("no such place: " + std::string(pointer));
-        at = &at->members_[place].second;
+        const std::size_t member = at->member_of(pointer.substr(1, end - 1));
+        if (member >= at->members_.size())
+            throw std::logic_error("no such pointer: " + std::string(pointer));
+        at = &at->members_[member].second;
         pointer.remove_prefix(end);
     }
     return *at;
@@ -102,11 +102,11 @@ void Tree::set(std::string_view pointer, std::string_view value) {
     replacement.scalar_ = value;
     const auto [parent_pointer, key] = split(pointer);
     Tree& parent = find(parent_pointer);
-    const std::size_t place = parent.place_of(key);
+    const std::size_t pointer = parent.member_of(key);
     // A value put in can be changed further.
     if (value.starts_with('{') || value.starts_with('[')) replacement = parse(value);
-    if (place < parent.members_.size())
-        parent.members_[place].second = std::move(replacement);
+    if (pointer < parent.members_.size())
+        parent.members_[pointer].second = std::move(replacement);
     else
         parent.members_.emplace_back(parent.kind_ == Kind::object ? key : "",
                                      std::move(replacement));
@@ -115,10 +115,10 @@ void Tree::set(std::string_view pointer, std::string_view value) {
 void Tree::remove(std::string_view pointer) {
     const auto [parent_pointer, key] = split(pointer);
     Tree& parent = find(parent_pointer);
-    const std::size_t place = parent.place_of(key);
-    if (place >= parent.members_.size())
+    const std::size_t pointer = parent.member_of(key);
+    if (pointer >= parent.members_.size())
         throw std::logic_error("nothing to remove: " + std::string(pointer));
-    parent.members_.erase(parent.members_.begin() + std::ptrdiff_t(place));
+    parent.members_.erase(parent.members_.begin() + std::ptrdiff_t(pointer));
 }
 
 }  // namespace hm::corpus

@@ -26,7 +26,7 @@ class Tree {
 
     static Tree parse_value(std::string_view text, std::size_t& at);
     Tree& find(std::string_view pointer);
-    std::size_t place_of(std::string_view key) const;  // members_.size() where absent
+    std::size_t member_of(std::string_view key) const;  // members_.size() where absent
 
     Kind kind_ = Kind::scalar;
     std::string scalar_;

@@ -47,7 +47,7 @@ void expect_named(const Error& error, VkResult result) {
         return line.find(" returned " + rhi::result_name(r)) != std::string::npos;
     };
     EXPECT_TRUE(names(result) || (by_allocator && names(VK_ERROR_OUT_OF_DEVICE_MEMORY))) << line;
-    EXPECT_FALSE(error.place.empty()) << line;
+    EXPECT_FALSE(error.location.empty()) << line;
     EXPECT_TRUE(error.kind == ErrorKind::device_failed || error.kind == ErrorKind::no_device)
         << line;
     EXPECT_EQ(line.find('\n'), std::string::npos) << line;

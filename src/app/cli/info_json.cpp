@@ -185,7 +185,7 @@ void write_error(JsonWriter& json, const std::optional<Error>& error) {
         return;
     }
     json.begin_object().field("code", unsigned(exit_code(error->kind))).field("file", error->file);
-    json.field("place", error->place).field("message", error->message).end_object();
+    json.field("place", error->location).field("message", error->message).end_object();
 }
 
 std::string_view outcome(const InfoReport& report) {
@@ -203,7 +203,7 @@ std::string info_json(const InfoReport& report) {
     json.field("result", outcome(report));
     write_error(json, report.error);
     write_list(json, "warnings", report.diagnostics.warnings(), [&](std::size_t, const Warning& w) {
-        json.field("file", w.file).field("place", w.place).field("message", w.message);
+        json.field("file", w.file).field("place", w.location).field("message", w.message);
         json.field("count", w.count);
     });
     write_file(json, report.file);

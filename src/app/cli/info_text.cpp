@@ -226,7 +226,7 @@ std::string info_text(const InfoReport& report) {
         describe_motion(out, report);
     }
     out.section("Warnings", report.diagnostics.warnings(), [](std::size_t, const Warning& warning) {
-        return Warning{"", warning.place, warning.message, warning.count}.line();
+        return Warning{"", warning.location, warning.message, warning.count}.line();
     });
     return std::move(out).text();
 }
