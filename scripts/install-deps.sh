@@ -4,6 +4,7 @@
 # second run only looks and returns.
 #   --build    what building and rendering need
 #   --test     that, and what the tests need (default)
+#   --clang    that, and clang, its libFuzzer and clang-tidy
 #   --fuzz     what building needs, and clang with libFuzzer
 #   --gallery  what building needs, and what puts the contact sheet together
 set -eu
@@ -15,19 +16,23 @@ packages="g++ cmake ninja-build ccache pkg-config git ca-certificates
     libvulkan-dev libvulkan-volk-dev glslang-tools spirv-tools"
 case $group in
 --build) ;;
---test)
+--test | --clang)
     packages="$packages clang-format libgtest-dev libboost-dev vulkan-validationlayers
         openimageio-tools"
     # Node from elsewhere serves as well, and Debian's npm would conflict with it.
     command -v node >/dev/null || packages="$packages nodejs"
     command -v npm >/dev/null || packages="$packages npm"
     ;;
---fuzz) packages="$packages clang libclang-rt-14-dev" ;;
+--fuzz) ;;
 --gallery) packages="$packages imagemagick fonts-dejavu-core" ;;
 *)
-    echo "usage: $0 [--build|--test|--fuzz|--gallery]" >&2
+    echo "usage: $0 [--build|--test|--clang|--fuzz|--gallery]" >&2
     exit 2
     ;;
+esac
+case $group in
+--clang) packages="$packages clang libclang-rt-14-dev clang-tidy" ;;
+--fuzz) packages="$packages clang libclang-rt-14-dev" ;;
 esac
 # So does Python.
 python3 -m pip --version >/dev/null 2>&1 || packages="$packages python3-pip"
@@ -37,7 +42,7 @@ fetch_from_pypi() {
     "$(dirname "$0")/fetch-wuffs.sh"
     [ "$group" != --fuzz ] || return 0
     "$(dirname "$0")/fetch-oidn.sh" && return
-    [ "$group" != --test ] || exit 1
+    case $group in --test | --clang) exit 1 ;; esac
     echo "install-deps: no denoiser, so --denoise will not work; all else does" >&2
 }
 

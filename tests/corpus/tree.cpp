@@ -102,11 +102,11 @@ void Tree::set(std::string_view pointer, std::string_view value) {
     replacement.scalar_ = value;
     const auto [parent_pointer, key] = split(pointer);
     Tree& parent = find(parent_pointer);
-    const std::size_t pointer = parent.member_of(key);
+    const std::size_t member = parent.member_of(key);
     // A value put in can be changed further.
     if (value.starts_with('{') || value.starts_with('[')) replacement = parse(value);
-    if (pointer < parent.members_.size())
-        parent.members_[pointer].second = std::move(replacement);
+    if (member < parent.members_.size())
+        parent.members_[member].second = std::move(replacement);
     else
         parent.members_.emplace_back(parent.kind_ == Kind::object ? key : "",
                                      std::move(replacement));
@@ -115,10 +115,10 @@ void Tree::set(std::string_view pointer, std::string_view value) {
 void Tree::remove(std::string_view pointer) {
     const auto [parent_pointer, key] = split(pointer);
     Tree& parent = find(parent_pointer);
-    const std::size_t pointer = parent.member_of(key);
-    if (pointer >= parent.members_.size())
+    const std::size_t member = parent.member_of(key);
+    if (member >= parent.members_.size())
         throw std::logic_error("nothing to remove: " + std::string(pointer));
-    parent.members_.erase(parent.members_.begin() + std::ptrdiff_t(pointer));
+    parent.members_.erase(parent.members_.begin() + std::ptrdiff_t(member));
 }
 
 }  // namespace hm::corpus
