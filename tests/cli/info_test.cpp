@@ -150,7 +150,7 @@ TEST_F(Info, WarningsAfterLoadingHaveAPlace) {
     const Printed printed = run(o);
     EXPECT_EQ(printed.code, 10);
     expect_fits_schema(printed.text);
-    EXPECT_NE(printed.text.find(R"("pointer": "/nodes/0")"), std::string::npos) << printed.text;
+    EXPECT_NE(printed.text.find(R"("place": "/nodes/0")"), std::string::npos) << printed.text;
     EXPECT_NE(printed.text.find(R"("file_index": 1)"), std::string::npos) << printed.text;
 }
 
