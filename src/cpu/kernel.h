@@ -16,35 +16,19 @@ struct KernelGeometry {
     const uvec3* triangles;
 };
 
-// Everything that the stages read, by the names they use.
+// Everything that the stages and their hooks read, by the names that the stages use.
 struct KernelTables {
-    const MaterialData* materials;
-    const TextureUse* texture_uses;
-    const ImageView* images;
-    const GeometryData* geometries;
+#define HM_FRAME_VALUE(Type, name) Type name;
+#define HM_TABLE(number, Type, name) const Type* name;
+#include "shading/tables.inl"
     const KernelGeometry* geometry_vertices;
-    const InstanceData* instances;
-    const LightData* lights;
-    const AliasEntry* light_alias;
-    const EmitterTriangle* emitters;
-    const AliasEntry* emitter_alias;
-    const vec4* environment_texels;
-    const AliasEntry* environment_alias;
-    const uint* sobol_directions;
-    const uvec4* sobol_nibbles;
-    const uint* blue_noise;
-    const vec2* albedo_table;
-    const vec2* albedo_average;
-    const float* filter_table;
+    const ImageView* images;
     const float* srgb;
     BvhView bvh;
-    EnvironmentData environment;
-    CameraData camera;
-    RenderParams params;
 
     // For the builds with AOVs.
     AovParams aovs;
-    float* planes[kPlaneCount];         // of the film, from its first pixel; null: not asked for
+    float* planes[kPlaneCount];         // of the film, from its first pixel; null: not requested
     const uint* source_groups;          // of each source of light
     const mat4x3* next_transforms;      // per instance, at the next frame
     const vec3* const* next_positions;  // per geometry; null: its vertices stay

@@ -88,29 +88,17 @@ struct CpuRenderer::Impl {
 KernelTables CpuRenderer::Impl::make_tables() const {
     const ShadingTables& constant = shading_tables();
     KernelTables t{};
-    t.materials = scene.materials.data();
-    t.texture_uses = scene.texture_uses.data();
-    t.images = scene.images.data();
-    t.geometries = scene.geometries.data();
+#define HM_SCENE_TABLE(number, Type, name) t.name = scene.name.data();
+#define HM_CONSTANT_TABLE(number, Type, name, rows) t.name = constant.name.data();
+#define HM_PICTURE_TABLE(number, Type, name, rows) t.name = job.name.data();
+#include "shading/tables.inl"
+    t.params = job.params;
+    t.camera = job.camera;
+    t.environment = scene.environment;
     t.geometry_vertices = geometries.data();
-    t.instances = scene.instances.data();
-    t.lights = scene.lights.data();
-    t.light_alias = scene.light_alias.data();
-    t.emitters = scene.emitters.data();
-    t.emitter_alias = scene.emitter_alias.data();
-    t.environment_texels = scene.environment.texels.data();
-    t.environment_alias = scene.environment.alias.data();
-    t.sobol_directions = constant.sobol_directions.data();
-    t.sobol_nibbles = constant.sobol_nibbles.data();
-    t.blue_noise = constant.blue_noise.data();
-    t.albedo_table = constant.albedo_table.data();
-    t.albedo_average = constant.albedo_average.data();
-    t.filter_table = job.filter_table.data();
+    t.images = scene.images.data();
     t.srgb = srgb_table();
     t.bvh = bvh.view();
-    t.environment = scene.environment.data;
-    t.camera = job.camera;
-    t.params = job.params;
     return t;
 }
 

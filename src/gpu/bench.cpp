@@ -128,10 +128,11 @@ Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const R
     rhi::Device& device = context.device();
     const std::uint32_t width = job.params.width;
     const std::uint32_t height = job.params.height;
-    RenderParams params = job.params;
+    RenderJob bounded = job;
+    RenderParams& params = bounded.params;
     params.max_bounces =
         params.max_bounces == 0 ? kMaxEvents : std::min(params.max_bounces, kMaxEvents);
-    HM_TRY(scene.set_frame(params, job.camera, job.filter_table));
+    HM_TRY(scene.set_frame(bounded));
     HM_TRY_ASSIGN(const Scratch scratch, Scratch::create(device, width, height));
     HM_TRY_ASSIGN(const RecordedRays rays,
                   RecordedRays::create(device, width * height, 2 * params.max_bounces + 2));

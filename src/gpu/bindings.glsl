@@ -1,5 +1,5 @@
-// The scene as shaders see it: sets 0 and 1 under the names that shading/path uses, and its hooks
-// that read them. gpu/scene_set.cpp makes the sets.
+// The scene as shaders see it: sets 0 and 1 under the names that shading/path uses, and the hooks
+// that read them. gpu/scene.cpp fills set 0, gpu/textures.cpp set 1.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
@@ -9,11 +9,22 @@
 #include "gpu/tables.h"
 #include "shading/shading.h"
 
-layout(scalar, set = 0, binding = 0) uniform Frame_ {
-    RenderParams frame_params;
-    CameraData camera;
-    EnvironmentData environment;
+// Stages read the settings from a copy, `params`, which load_params makes.
+#define params frame_params
+#define HM_FRAME_VALUE(Type, name) Type name;
+layout(scalar, set = 0, binding = kFrameBinding) uniform FrameValues {
+#include "shading/tables.inl"
 };
+#undef params
+layout(set = 0, binding = kStructureBinding) uniform accelerationStructureEXT scene_structure;
+layout(scalar, set = 0, binding = kGeometryAddressesBinding) readonly buffer GeometryArrays {
+    GeometryAddresses geometry_addresses[];
+};
+
+#define HM_TABLE(number, Type, name)                                    \
+    layout(scalar, set = 0, binding = kFirstTableBinding + number) \
+        readonly buffer name##_table { Type name[]; };
+#include "shading/tables.inl"
 
 RenderParams params;
 
@@ -31,33 +42,8 @@ void load_params() {
     params.background = kBackgroundEnvironment;
 #endif
 }
-layout(scalar, set = 0, binding = 1) readonly buffer Lights { LightData lights[]; };
-layout(scalar, set = 0, binding = 2) readonly buffer Materials { MaterialData materials[]; };
-layout(scalar, set = 0, binding = 3) readonly buffer Instances { InstanceData instances[]; };
-layout(set = 0, binding = 4) uniform accelerationStructureEXT scene_structure;
-layout(scalar, set = 0, binding = 5) readonly buffer GeometryArrays {
-    GeometryAddresses geometry_addresses[];
-};
-layout(scalar, set = 0, binding = 6) readonly buffer Geometries { GeometryData geometries[]; };
-layout(scalar, set = 0, binding = 7) readonly buffer TextureUses { TextureUse texture_uses[]; };
-layout(scalar, set = 0, binding = 8) readonly buffer LightAlias { AliasEntry light_alias[]; };
-layout(scalar, set = 0, binding = 9) readonly buffer Emitters { EmitterTriangle emitters[]; };
-layout(scalar, set = 0, binding = 10) readonly buffer EmitterAlias { AliasEntry emitter_alias[]; };
-layout(scalar, set = 0, binding = 11) readonly buffer EnvironmentTexels {
-    vec4 environment_texels[];
-};
-layout(scalar, set = 0, binding = 12) readonly buffer EnvironmentAlias {
-    AliasEntry environment_alias[];
-};
-layout(scalar, set = 0, binding = 13) readonly buffer SobolNibbles { uvec4 sobol_nibbles[]; };
-layout(scalar, set = 0, binding = 14) readonly buffer BlueNoise { uint blue_noise[]; };
-layout(scalar, set = 0, binding = 15) readonly buffer AlbedoTable { vec2 albedo_table[]; };
-layout(scalar, set = 0, binding = 16) readonly buffer AlbedoAverage { vec2 albedo_average[]; };
-layout(scalar, set = 0, binding = 17) readonly buffer FilterTable { float filter_table[]; };
 
 layout(set = 1, binding = 0) uniform sampler2D scene_images[];
-
-layout(set = 3, binding = 3, scalar) readonly buffer SobolDirections { uint sobol_directions[]; };
 
 layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer VertexArray {
     Vertex at[];
@@ -91,8 +77,9 @@ uvec2 image_size(uint image) {
     return uvec2(textureSize(scene_images[nonuniformEXT(image)], 0));
 }
 
-// Devices turn integers into floats in ways of their own. Taken back to 16 bits, a texel of either
-// depth has the value of scene/image_view.h; colours, which turn no path, are left as they come.
+// Devices round differently when they convert texels to floats. Rounded back to 16 bits, a texel of
+// either depth has the value of scene/image_view.h; colours, which decide no branch of a path, stay
+// as they are.
 vec4 fetch_texel(uint image, uint x, uint y, uint encoding) {
     HM_MAY_CONTRACT
     vec4 texel = texelFetch(scene_images[nonuniformEXT(image)], ivec2(x, y), 0);

@@ -77,7 +77,7 @@ Result<void> VulkanRenderer::begin(const RenderJob& job, Film& film) {
     HM_TRY(context_.device().wait_idle());
     film_ = &film;
     added_.assign(film.crop.height(), 0);
-    HM_TRY(scene_->set_frame(job.params, job.camera, job.filter_table));
+    HM_TRY(scene_->set_frame(job));
     HM_TRY(make_aovs(job));
     std::uint64_t most = context_.device().limits().max_rays_per_trace;
     if (!surfaces_.empty()) most = std::min(most, kNotedSamples);

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 
-#include "base/check.h"
+#include "gpu/tables.h"
 #include "shading/tables/tables.h"
 
 namespace hm {
@@ -22,9 +21,10 @@ std::span<const std::byte> bytes_of(const T& values) {
 }
 
 std::uint64_t table_bytes(const FlatScene& scene) {
-    return bytes_of(scene.materials).size() + bytes_of(scene.instances).size() +
-           bytes_of(scene.emitters).size() + bytes_of(scene.emitter_alias).size() +
-           bytes_of(scene.environment.texels).size() + bytes_of(scene.environment.alias).size();
+    std::uint64_t sum = 0;
+#define HM_SCENE_TABLE(number, Type, name) sum += bytes_of(scene.name).size();
+#include "shading/tables.inl"
+    return sum;
 }
 
 // Structures take 50 to 100 bytes a triangle on the drivers we know, and while they are compacted
@@ -57,59 +57,40 @@ Result<void> check_memory(const rhi::Device& device, const FlatScene& scene) {
 GpuScene::GpuScene(rhi::Device& device, rhi::Uploader uploader)
     : device_(device), uploader_(std::move(uploader)) {}
 
-Result<void> GpuScene::add_table(rhi::DescriptorWrites& writes, SceneBinding binding,
+Result<void> GpuScene::add_table(rhi::DescriptorWrites& writes, std::uint32_t binding,
                                  const char* name, std::span<const std::byte> bytes) {
     if (bytes.size() > device_.limits().max_storage_buffer_bytes)
         return fail(
             ErrorKind::device_failed, "", "",
-            fmt::format("the scene's table of {} is {} bytes, {} takes {}", name, bytes.size(),
+            fmt::format("the scene's table {} is {} bytes, {} takes {}", name, bytes.size(),
                         device_.physical().name, device_.limits().max_storage_buffer_bytes));
-    // No buffer is empty; nothing reads the row that stands for none.
+    // A buffer is never empty; nothing reads the padding.
     const std::uint64_t size = std::max<std::uint64_t>(bytes.size(), 128);
-    rhi::Buffer& table = tables_[std::size_t(binding)];
-    const bool frame = binding == SceneBinding::frame;
-    HM_TRY_ASSIGN(table, rhi::Buffer::create(
-                             device_, {name, size,
-                                       frame ? rhi::BufferUse::uniform : rhi::BufferUse::storage}));
+    const rhi::BufferUse use =
+        binding == kFrameBinding ? rhi::BufferUse::uniform : rhi::BufferUse::storage;
+    rhi::Buffer& table = tables_[binding];
+    HM_TRY_ASSIGN(table, rhi::Buffer::create(device_, {name, size, use}));
     if (!bytes.empty()) HM_TRY(uploader_.buffer(table, bytes));
-    writes.buffer(std::uint32_t(binding), table);
+    writes.buffer(binding, table);
     report_.table_bytes += size;
     return {};
 }
 
+// The frame values and the tables of a picture are zero until set_frame.
 Result<void> GpuScene::upload_tables(const FlatScene& scene, rhi::DescriptorWrites& writes) {
-    using B = SceneBinding;
-    HM_TRY(add_table(writes, B::lights, "lights", bytes_of(scene.lights)));
-    HM_TRY(add_table(writes, B::materials, "materials", bytes_of(scene.materials)));
-    HM_TRY(add_table(writes, B::instances, "instances", bytes_of(scene.instances)));
-    HM_TRY(add_table(writes, B::geometry_addresses, "geometry addresses",
-                     bytes_of(geometry_.addresses)));
-    HM_TRY(add_table(writes, B::geometries, "geometries", bytes_of(scene.geometries)));
-    HM_TRY(add_table(writes, B::texture_uses, "texture uses", bytes_of(scene.texture_uses)));
-    HM_TRY(add_table(writes, B::light_alias, "light choice", bytes_of(scene.light_alias)));
-    HM_TRY(add_table(writes, B::emitters, "emitters", bytes_of(scene.emitters)));
-    HM_TRY(add_table(writes, B::emitter_alias, "emitter choice", bytes_of(scene.emitter_alias)));
-    HM_TRY(add_table(writes, B::environment_texels, "environment texels",
-                     bytes_of(scene.environment.texels)));
-    return add_table(writes, B::environment_alias, "environment choice",
-                     bytes_of(scene.environment.alias));
-}
-
-Result<void> GpuScene::upload_constants(rhi::DescriptorWrites& writes) {
-    using B = SceneBinding;
-    const ShadingTables& constant = shading_tables();
+    const ShadingTables& constants = shading_tables();
+    const RenderJob empty;
     const FrameData frame{};
-    const std::array<float, 257> filter{};
-    HM_TRY(add_table(writes, B::frame, "frame", bytes_of(std::span(&frame, 1))));
-    HM_TRY(add_table(writes, B::filter_table, "filter", bytes_of(filter)));
-    HM_TRY(add_table(writes, B::sobol_nibbles, "Sobol nibbles", bytes_of(constant.sobol_nibbles)));
-    HM_TRY(add_table(writes, B::blue_noise, "blue noise", bytes_of(constant.blue_noise)));
-    HM_TRY(add_table(writes, B::albedo_table, "albedo", bytes_of(constant.albedo_table)));
-    HM_TRY(add_table(writes, B::albedo_average, "mean albedo", bytes_of(constant.albedo_average)));
-    HM_TRY_ASSIGN(sobol_directions_,
-                  rhi::upload_buffer(uploader_, device_,
-                                     {"Sobol directions", sizeof(constant.sobol_directions)},
-                                     bytes_of(constant.sobol_directions)));
+    HM_TRY(add_table(writes, kFrameBinding, "frame", bytes_of(std::span(&frame, 1))));
+    HM_TRY(add_table(writes, kGeometryAddressesBinding, "geometry_addresses",
+                     bytes_of(geometry_.addresses)));
+#define HM_UPLOAD(number, owner, name) \
+    HM_TRY(add_table(writes, kFirstTableBinding + number, #name, bytes_of(owner.name)));
+#define HM_SCENE_TABLE(number, Type, name) HM_UPLOAD(number, scene, name)
+#define HM_CONSTANT_TABLE(number, Type, name, rows) HM_UPLOAD(number, constants, name)
+#define HM_PICTURE_TABLE(number, Type, name, rows) HM_UPLOAD(number, empty, name)
+#include "shading/tables.inl"
+#undef HM_UPLOAD
     return {};
 }
 
@@ -119,13 +100,13 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(rhi::Device& device, const Sc
     const auto start = std::chrono::steady_clock::now();
     HM_TRY_ASSIGN(rhi::Uploader uploader, rhi::Uploader::create(device));
     std::unique_ptr<GpuScene> gpu(new GpuScene(device, std::move(uploader)));
-    gpu->environment_ = scene.environment.data;
+    gpu->environment_ = scene.environment;
+    gpu->tables_.resize(layouts.scene.bindings().size());
     HM_TRY_ASSIGN(gpu->geometry_, GpuGeometry::upload(device, gpu->uploader_, scene));
     HM_TRY_ASSIGN(gpu->textures_,
                   GpuTextures::upload(device, gpu->uploader_, layouts.textures, scene));
     rhi::DescriptorWrites writes(layouts.scene);
     HM_TRY(gpu->upload_tables(scene, writes));
-    HM_TRY(gpu->upload_constants(writes));
     HM_TRY(gpu->uploader_.finish());
     gpu->report_.upload_seconds = seconds_since(start);
 
@@ -133,7 +114,7 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(rhi::Device& device, const Sc
     HM_TRY_ASSIGN(gpu->structures_,
                   SceneStructures::build(device, gpu->uploader_, scene, gpu->geometry_));
     gpu->report_.build_seconds = seconds_since(build_start);
-    writes.acceleration_structure(std::uint32_t(SceneBinding::structure), gpu->structures_.tlas);
+    writes.acceleration_structure(kStructureBinding, gpu->structures_.tlas);
     HM_TRY_ASSIGN(gpu->set_, rhi::DescriptorSet::create(device, "scene", layouts.scene));
     gpu->set_.update(writes);
 
@@ -149,14 +130,12 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(rhi::Device& device, const Sc
     return gpu;
 }
 
-Result<void> GpuScene::set_frame(const RenderParams& params, const CameraData& camera,
-                                 std::span<const float> filter_table) {
-    HM_CHECK(filter_table.size() == 257, "{} entries", filter_table.size());
-    const FrameData frame{params, camera, environment_};
-    HM_TRY(uploader_.buffer(tables_[std::size_t(SceneBinding::frame)],
-                            bytes_of(std::span(&frame, 1))));
-    HM_TRY(
-        uploader_.buffer(tables_[std::size_t(SceneBinding::filter_table)], bytes_of(filter_table)));
+Result<void> GpuScene::set_frame(const RenderJob& job) {
+    const FrameData frame{job.params, job.camera, environment_};
+    HM_TRY(uploader_.buffer(tables_[kFrameBinding], bytes_of(std::span(&frame, 1))));
+#define HM_PICTURE_TABLE(number, Type, name, rows) \
+    HM_TRY(uploader_.buffer(tables_[kFirstTableBinding + number], bytes_of(job.name)));
+#include "shading/tables.inl"
     return uploader_.finish();
 }
 

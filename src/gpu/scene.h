@@ -1,11 +1,11 @@
 // A scene in device memory: its tables (set 0), textures (set 1) and acceleration structures.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "film/renderer.h"
 #include "gpu/geometry.h"
 #include "gpu/layouts.h"
 #include "gpu/structures.h"
@@ -36,19 +36,16 @@ class GpuScene {
                                                     const FlatScene& scene);
 
     // What the next launches read; none may be running.
-    Result<void> set_frame(const RenderParams& params, const CameraData& camera,
-                           std::span<const float> filter_table);
+    Result<void> set_frame(const RenderJob& job);
 
     const rhi::DescriptorSet& scene_set() const { return set_; }
     const rhi::DescriptorSet& texture_set() const { return textures_.set(); }
-    const rhi::Buffer& sobol_directions() const { return sobol_directions_; }
     const GpuSceneReport& report() const { return report_; }
 
   private:
     GpuScene(rhi::Device& device, rhi::Uploader uploader);
     Result<void> upload_tables(const FlatScene& scene, rhi::DescriptorWrites& writes);
-    Result<void> upload_constants(rhi::DescriptorWrites& writes);
-    Result<void> add_table(rhi::DescriptorWrites& writes, SceneBinding binding, const char* name,
+    Result<void> add_table(rhi::DescriptorWrites& writes, std::uint32_t binding, const char* name,
                            std::span<const std::byte> bytes);
 
     rhi::Device& device_;
@@ -56,8 +53,7 @@ class GpuScene {
     GpuGeometry geometry_;
     GpuTextures textures_;
     SceneStructures structures_;
-    std::array<rhi::Buffer, std::size_t(SceneBinding::count)> tables_;
-    rhi::Buffer sobol_directions_;
+    std::vector<rhi::Buffer> tables_;  // by binding; empty for the acceleration structure
     rhi::DescriptorSet set_;
     GpuSceneReport report_;
     rhi::Uploader uploader_;  // goes first, and waits: it copies into the others

@@ -7,12 +7,11 @@
 
 HM_NAMESPACE_BEGIN
 
-// Set 0, binding 0: all that is the same for every ray of a picture.
-struct FrameData {
-    RenderParams frame_params;
-    CameraData camera;
-    EnvironmentData environment;
-};
+// Bindings of set 0. The tables of shading/tables.inl follow in its order.
+HM_CONST uint kFrameBinding = 0u;
+HM_CONST uint kStructureBinding = 1u;
+HM_CONST uint kGeometryAddressesBinding = 2u;
+HM_CONST uint kFirstTableBinding = 3u;
 
 // Where a geometry's arrays lie: device addresses, the low word first.
 struct GeometryAddresses {
@@ -79,10 +78,14 @@ HM_NAMESPACE_END
 
 #ifdef __cplusplus
 namespace hm {
+// The uniform block at kFrameBinding.
+struct FrameData {
+#define HM_FRAME_VALUE(Type, name) Type name;
+#include "shading/tables.inl"
+};
+
 static_assert(sizeof(RecordedRay) == 32 && sizeof(BareRange) == 8);
 static_assert(sizeof(GeometryAddresses) == 24 && sizeof(TraceRange) == 36);
-static_assert(sizeof(FrameData) ==
-              sizeof(RenderParams) + sizeof(CameraData) + sizeof(EnvironmentData));
 }  // namespace hm
 #endif
 

@@ -198,7 +198,10 @@ void add_lights(FlatScene& flat, const Scene& scene, const std::vector<glm::mat4
 FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice choice,
                   Diagnostics& diagnostics) {
     FlatScene flat;
-    flat.environment = std::move(environment);
+    flat.environment = environment.data;
+    flat.mean_radiance = environment.mean_radiance;
+    flat.environment_texels = std::move(environment.texels);
+    flat.environment_alias = std::move(environment.alias);
     std::vector<glm::mat4> world = world_transforms(scene);
     add_materials(flat, scene);
     add_geometries(flat, scene);
@@ -208,10 +211,14 @@ FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice ch
     if (choice.emitters) add_emitters(flat);
     const double radius = std::clamp(double(flat.bounds.radius()), 1e-3, 1e15);
     constexpr double pi = std::numbers::pi;
-    if (flat.environment.data.intensity > 0)
-        flat.environment_power =
-            double(flat.environment.mean_radiance) * 4 * pi * pi * radius * radius;
+    if (environment.data.intensity > 0)
+        flat.environment_power = double(environment.mean_radiance) * 4 * pi * pi * radius * radius;
     return flat;
+}
+
+EnvironmentMap take_environment(FlatScene& scene) {
+    return {scene.environment, std::move(scene.environment_texels),
+            std::move(scene.environment_alias), scene.mean_radiance};
 }
 
 void set_light_ranges(const FlatScene& scene, RenderParams& params) {

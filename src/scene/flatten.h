@@ -41,21 +41,20 @@ struct InstanceOrigin {
     std::uint32_t copy;  // of the node's `instances`; 0 without
 };
 
-struct FlatScene {
-    std::vector<MaterialData> materials;  // the last one is glTF's default material
-    std::vector<TextureUse> texture_uses;
-    std::vector<ImageView> images;  // 0: white; then Scene::images
-    std::vector<GeometryData> geometries;
-    std::vector<GeometryView> geometry_views;        // beside `geometries`
+// The tables of shading/tables.inl that a scene fills.
+struct SceneTables {
+#define HM_SCENE_TABLE(number, Type, name) std::vector<Type> name;
+#include "shading/tables.inl"
+};
+
+struct FlatScene : SceneTables {
+    EnvironmentData environment{};
+    float mean_radiance = 0;                         // of the environment, see EnvironmentMap
+    std::vector<ImageView> images;                   // 0: white; then Scene::images
+    std::vector<GeometryView> geometry_views;        // parallel to `geometries`
     std::vector<std::uint32_t> mesh_first_geometry;  // one more than meshes
-    std::vector<InstanceData> instances;
-    std::vector<InstanceOrigin> instance_origins;  // beside `instances`
-    std::vector<LightData> lights;
-    std::vector<std::uint32_t> light_nodes;  // beside `lights`
-    std::vector<AliasEntry> light_alias;
-    std::vector<EmitterTriangle> emitters;
-    std::vector<AliasEntry> emitter_alias;
-    EnvironmentMap environment;
+    std::vector<InstanceOrigin> instance_origins;    // parallel to `instances`
+    std::vector<std::uint32_t> light_nodes;          // parallel to `lights`
     AovTables aovs;
     Bounds bounds;  // world space
     // Flux into the scene, for sharing samples between kinds of light. 0: none of that kind.
@@ -77,6 +76,9 @@ inline constexpr float kMaxLightPower = 1e30f;
 // Warns about what is scaled to nothing: instances are not drawn, cameras and lamps lose their aim.
 FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice choice,
                   Diagnostics& diagnostics);
+
+// Moves the environment out of a scene that is no longer rendered, to flatten the next one with it.
+EnvironmentMap take_environment(FlatScene& scene);
 
 // Fills the light ranges and counts of `params` from the scene's lights, for params.strategy.
 void set_light_ranges(const FlatScene& scene, RenderParams& params);

@@ -18,7 +18,8 @@ namespace {
 constexpr std::uint32_t kSize = 32;
 constexpr std::uint32_t kSamples = 16;
 constexpr std::uint32_t kGroupSize = 64;
-constexpr std::uint32_t kBuffers = 26;  // the picture, the run's numbers, and the tables
+// The picture, the number of samples, and the buffers of PathTracer.
+constexpr std::uint32_t kBuffers = 2 + PathTracer::kBufferCount;
 
 Pixels draw_on_gpu(PathTracer& tracer, const ComputeShader& shader) {
     Pixels picture(kSize * kSize);

@@ -6,34 +6,21 @@ namespace hm::test {
 
 namespace {
 
-// A storage buffer is never empty; one unused row stands for none.
+// A storage buffer is never empty: an empty table gets one unused row.
 template <class T>
-void keep_one_row(std::vector<T>& table) {
+void fill(std::vector<T>& table, std::span<const T> rows) {
+    table.assign(rows.begin(), rows.end());
     if (table.empty()) table.resize(1);
 }
 
 }  // namespace
 
-PathTracer::PathTracer(const FlatScene& scene)
-    : environment(scene.environment.data),
-      materials(scene.materials),
-      texture_uses(scene.texture_uses),
-      geometries(scene.geometries),
-      instances(scene.instances),
-      lights(scene.lights),
-      light_alias(scene.light_alias),
-      emitters(scene.emitters),
-      emitter_alias(scene.emitter_alias),
-      environment_texels(scene.environment.texels),
-      environment_alias(scene.environment.alias) {
-    const ShadingTables& tables = shading_tables();
-    sobol_directions.assign(tables.sobol_directions.begin(), tables.sobol_directions.end());
-    sobol_nibbles.assign(tables.sobol_nibbles.begin(), tables.sobol_nibbles.end());
-    blue_noise.assign(tables.blue_noise.begin(), tables.blue_noise.end());
-    albedo_table.assign(tables.albedo_table.begin(), tables.albedo_table.end());
-    albedo_average.assign(tables.albedo_average.begin(), tables.albedo_average.end());
-    const auto filter = make_filter_table(PixelFilter::gaussian);
-    filter_table.assign(filter.begin(), filter.end());
+PathTracer::PathTracer(const FlatScene& scene) : environment(scene.environment) {
+    const ShadingTables& constants = shading_tables();
+#define HM_SCENE_TABLE(number, Type, name) fill<Type>(name, scene.name);
+#define HM_CONSTANT_TABLE(number, Type, name, rows) fill<Type>(name, constants.name);
+#include "shading/tables.inl"
+    fill<float>(filter_table, make_filter_table(PixelFilter::gaussian));
 
     for (const GeometryView& view : scene.geometry_views)
         add_geometry(view);
@@ -42,10 +29,6 @@ PathTracer::PathTracer(const FlatScene& scene)
     for (const ImageView& image : scene.images)
         add_image(image);
     world_triangle_count = static_cast<uint>(world_triangles.size());
-    keep_one_row(lights);
-    keep_one_row(light_alias);
-    keep_one_row(emitters);
-    keep_one_row(emitter_alias);
 }
 
 void PathTracer::add_geometry(const GeometryView& view) {
@@ -83,30 +66,18 @@ void PathTracer::add_image(const ImageView& image) {
 
 std::vector<std::span<std::byte>> PathTracer::buffers(Settings& settings) {
     settings = {params, camera, environment, world_triangle_count};
-    return {bytes_of(reinterpret_cast<std::byte(&)[sizeof(Settings)]>(settings)),
-            bytes_of(sobol_directions),
-            bytes_of(sobol_nibbles),
-            bytes_of(blue_noise),
-            bytes_of(albedo_table),
-            bytes_of(albedo_average),
-            bytes_of(filter_table),
-            bytes_of(materials),
-            bytes_of(texture_uses),
-            bytes_of(geometries),
-            bytes_of(instances),
-            bytes_of(lights),
-            bytes_of(light_alias),
-            bytes_of(emitters),
-            bytes_of(emitter_alias),
-            bytes_of(environment_texels),
-            bytes_of(environment_alias),
-            bytes_of(scene_vertices),
-            bytes_of(scene_extras),
-            bytes_of(scene_triangles),
-            bytes_of(scene_offsets),
-            bytes_of(scene_images),
-            bytes_of(scene_texels),
-            bytes_of(world_triangles)};
+    return {
+        bytes_of(reinterpret_cast<std::byte(&)[sizeof(Settings)]>(settings)),
+        bytes_of(scene_vertices),
+        bytes_of(scene_extras),
+        bytes_of(scene_triangles),
+        bytes_of(scene_offsets),
+        bytes_of(scene_images),
+        bytes_of(scene_texels),
+        bytes_of(world_triangles),
+#define HM_TABLE(number, Type, name) bytes_of(name),
+#include "shading/tables.inl"
+    };
 }
 
 }  // namespace hm::test

@@ -16,27 +16,10 @@
 namespace hm::test {
 
 struct PathTracer {
-    // In the order of path_tables.glsl.
-    RenderParams params{};
-    CameraData camera{};
-    EnvironmentData environment{};
+#define HM_FRAME_VALUE(Type, name) Type name{};
+#define HM_TABLE(number, Type, name) std::vector<Type> name;
+#include "shading/tables.inl"
     uint world_triangle_count = 0;
-    std::vector<uint> sobol_directions;
-    std::vector<uvec4> sobol_nibbles;
-    std::vector<uint> blue_noise;
-    std::vector<vec2> albedo_table;
-    std::vector<vec2> albedo_average;
-    std::vector<float> filter_table;
-    std::vector<MaterialData> materials;
-    std::vector<TextureUse> texture_uses;
-    std::vector<GeometryData> geometries;
-    std::vector<InstanceData> instances;
-    std::vector<LightData> lights;
-    std::vector<AliasEntry> light_alias;
-    std::vector<EmitterTriangle> emitters;
-    std::vector<AliasEntry> emitter_alias;
-    std::vector<vec4> environment_texels;
-    std::vector<AliasEntry> environment_alias;
     std::vector<Vertex> scene_vertices;
     std::vector<VertexExtra> scene_extras;
     std::vector<uvec3> scene_triangles;
@@ -54,15 +37,18 @@ struct PathTracer {
         set_light_ranges(scene, params);
     }
 
-    // The storage behind bindings 2 and up. The settings are copied into `settings`, which must
-    // outlive the use of the result.
+    // The storage of bindings 2 and up of path_tables.glsl. The settings are copied into
+    // `settings`, which must outlive the result.
     struct Settings {
-        RenderParams params;
-        CameraData camera;
-        EnvironmentData environment;
+#define HM_FRAME_VALUE(Type, name) Type name;
+#include "shading/tables.inl"
         uint world_triangle_count;
     };
     std::vector<std::span<std::byte>> buffers(Settings& settings);
+    static constexpr std::uint32_t kBufferCount = 8
+#define HM_TABLE(number, Type, name) +1
+#include "shading/tables.inl"
+        ;
 
   private:
     void add_geometry(const GeometryView& view);

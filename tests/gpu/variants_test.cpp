@@ -29,7 +29,7 @@ class PathTracingVariants : public ::testing::Test {
     PathTracingVariants() {
         const RenderJob job = make_job(scene_.flat, scene_.camera);
         EXPECT_TRUE(is_usual(job.params));
-        expect_ok(gpu_->set_frame(job.params, job.camera, job.filter_table));
+        expect_ok(gpu_->set_frame(job));
         sums_ = value_of(rhi::Image::create(device_, {"sums", rhi::Format::rgba32f, kPictureSize,
                                                       kPictureSize, 1, rhi::ImageUse::storage}));
         removed_ = value_of(rhi::Image::create(

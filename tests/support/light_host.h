@@ -9,17 +9,9 @@ namespace hm::test {
 struct LightHost {
     const FlatScene& flat;
     RenderParams params{};
-    const MaterialData* materials = flat.materials.data();
-    const TextureUse* texture_uses = flat.texture_uses.data();
-    const GeometryData* geometries = flat.geometries.data();
-    const InstanceData* instances = flat.instances.data();
-    const LightData* lights = flat.lights.data();
-    const AliasEntry* light_alias = flat.light_alias.data();
-    const EmitterTriangle* emitters = flat.emitters.data();
-    const AliasEntry* emitter_alias = flat.emitter_alias.data();
-    const vec4* environment_texels = flat.environment.texels.data();
-    const AliasEntry* environment_alias = flat.environment.alias.data();
-    EnvironmentData environment = flat.environment.data;
+    EnvironmentData environment = flat.environment;
+#define HM_SCENE_TABLE(number, Type, name) const Type* name = flat.name.data();
+#include "shading/tables.inl"
 
     explicit LightHost(const FlatScene& scene, uint strategy = kStrategyMis) : flat(scene) {
         params.strategy = strategy;

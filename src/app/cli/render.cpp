@@ -173,7 +173,7 @@ Result<ExitCode> draw(const RenderOptions& options, Shared& shared, Progress& pr
     if (options.json) HM_TRY(print(json_report(options, summary, diagnostics)));
     if (passes.failed) return device_failure(*passes.failed, film, written);
     HM_TRY(keeper.kept());
-    shared.environment->map = std::move(setup.flat.environment);
+    shared.environment->map = take_environment(setup.flat);
     return summary.interrupted ? ExitCode::interrupted : ExitCode::ok;
 }
 

@@ -10,11 +10,8 @@
 namespace hm {
 
 struct ShadingTables {
-    std::array<std::uint32_t, 128 * 32> sobol_directions;
-    std::array<uvec4, 8 * 16> sobol_nibbles;
-    std::array<std::uint32_t, 128 * 128> blue_noise;
-    std::array<vec2, 32 * 32> albedo_table;
-    std::array<vec2, 32> albedo_average;
+#define HM_CONSTANT_TABLE(number, Type, name, rows) std::array<Type, rows> name;
+#include "shading/tables.inl"
 };
 
 const ShadingTables& shading_tables();

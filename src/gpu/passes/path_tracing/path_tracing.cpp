@@ -28,7 +28,6 @@ namespace {
 
 // Set 3, by the shaders' numbers. The denoiser's albedo and normal are AOV planes.
 constexpr std::uint32_t kAccumulation = 0;
-constexpr std::uint32_t kSobolDirections = 3;
 constexpr std::uint32_t kRemoved = 4;
 constexpr std::uint32_t kCounters = 5;
 constexpr std::uint32_t kRays = 6;
@@ -39,9 +38,8 @@ constexpr std::uint32_t kSourceGroups = 9;
 // The payloads are contracts between the stages, and devices keep them in registers.
 static_assert(sizeof(PathPayload) == 116 && sizeof(ShadowPayload) == 8);
 
-constexpr std::array<rhi::Binding, 8> kTargets = {{
+constexpr std::array<rhi::Binding, 7> kTargets = {{
     {kAccumulation, rhi::DescriptorKind::storage_image},
-    {kSobolDirections, rhi::DescriptorKind::storage_buffer},
     {kRemoved, rhi::DescriptorKind::storage_image},
     {kCounters, rhi::DescriptorKind::storage_buffer},
     {kRays, rhi::DescriptorKind::storage_buffer},
@@ -107,7 +105,6 @@ void PathTracingPass::record(rhi::Commands& commands, const GpuScene& scene,
                              std::uint32_t rows, Launches launches) const {
     rhi::DescriptorWrites writes(targets_);
     writes.image(kAccumulation, targets.accumulation)
-        .buffer(kSobolDirections, scene.sobol_directions())
         .image(kRemoved, targets.removed)
         .buffer(kCounters, targets.counters);
     if (targets.rays != nullptr)
