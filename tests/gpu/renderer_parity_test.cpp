@@ -89,9 +89,9 @@ TEST(RendererParity, OddShapesAndPlacements) {
     duel.expect_parity(make_job(scene.flat, scene.camera), "odd shapes and placements");
 }
 
-// Paths take the same turns, so hardly a pixel is off (docs/decisions/0010-same-paths-on-every-device.md): 1 in
-// 1000 is for hits at equal distances. Where each device rounds as it likes it is 19 on lavapipe
-// and 47 on an H100 in the hero scene.
+// Paths take the same turns, so hardly a pixel is off
+// (docs/decisions/0010-same-paths-on-every-device.md): 1 in 1000 is for hits at equal distances.
+// Where each device rounds as it likes it is 19 on lavapipe and 47 on an H100 in the hero scene.
 TEST(RendererParity, ShippedScenes) {
     const fs::path scenes = source_folder() / "scenes";
     const std::size_t most = kPictureSize * kPictureSize / 1000;

@@ -22,14 +22,22 @@ enum class ExitCode : int {
 
 constexpr ExitCode exit_code(ErrorKind kind) {
     switch (kind) {
-    case ErrorKind::invalid_argument: return ExitCode::usage;
-    case ErrorKind::unreadable: return ExitCode::unreadable;
-    case ErrorKind::invalid: return ExitCode::invalid;
-    case ErrorKind::unsupported: return ExitCode::unsupported;
-    case ErrorKind::unwritable: return ExitCode::unwritable;
-    case ErrorKind::no_device: return ExitCode::no_device;
-    case ErrorKind::device_failed: return ExitCode::device_failed;
-    case ErrorKind::internal: break;
+        case ErrorKind::invalid_argument:
+            return ExitCode::usage;
+        case ErrorKind::unreadable:
+            return ExitCode::unreadable;
+        case ErrorKind::invalid:
+            return ExitCode::invalid;
+        case ErrorKind::unsupported:
+            return ExitCode::unsupported;
+        case ErrorKind::unwritable:
+            return ExitCode::unwritable;
+        case ErrorKind::no_device:
+            return ExitCode::no_device;
+        case ErrorKind::device_failed:
+            return ExitCode::device_failed;
+        case ErrorKind::internal:
+            break;
     }
     return ExitCode::internal;
 }
