@@ -25,6 +25,7 @@
 #include "image/read.h"
 #include "scene/camera.h"
 #include "scene/light_groups.h"
+#include "scene/render_params.h"
 #include "shading/tables/tables.h"
 
 namespace hm {
@@ -73,15 +74,9 @@ struct Settings {
 
 Film render(const BenchScene& bench, Renderer& renderer, const Settings& settings,
             RenderCounters& counters) {
-    RenderParams params{};
-    params.width = settings.width;
-    params.height = settings.height;
-    params.seed = settings.seed;
-    params.sampler_kind = settings.sampler;
-    params.max_bounces = 8;
-    params.energy_compensation = 1;
-    params.filter_width = 1;
-    set_light_ranges(bench.flat, params);
+    const RenderParams params = make_params(
+        bench.flat, settings.width, settings.height,
+        {.seed = settings.seed, .sampler = settings.sampler, .filter = PixelFilter::box});
     Film film({0, 0, settings.width, settings.height}, settings.aovs);
     std::atomic<bool> cancel{false};
     const float aspect = float(settings.width) / float(settings.height);

@@ -28,7 +28,10 @@ const std::map<std::string, Names> kMayInclude = {
     {"rhi", {"base"}},
     {"graph", {"base", "rhi"}},
     {"gpu", {"base", "shading", "image", "scene", "film", "rhi", "graph"}},
-    {"app", {"base", "shading", "image", "scene", "gltf", "bvh", "film", "cpu", "rhi", "gpu"}},
+    {"session", {"base", "shading", "image", "scene", "gltf", "film", "cpu", "rhi", "gpu"}},
+    {"library", {"base", "shading", "image", "scene", "gltf", "film", "session"}},
+    {"app",
+     {"base", "shading", "image", "scene", "gltf", "bvh", "film", "cpu", "rhi", "gpu", "session"}},
 };
 
 // Outside libraries that one room alone knows, by the first part of the include's path.
@@ -96,6 +99,23 @@ TEST(Layers, EveryIncludeGoesDownwards) {
         ++files;
     }
     EXPECT_GT(files, 10);
+}
+
+// Flags and exit codes belong to the program: below it messages name settings.
+TEST(Layers, NothingBelowTheProgramNamesFlags) {
+    static const std::regex kFlag(R"re("[^"]*--[a-z][^"]*")re");
+    const fs::path src = source_dir() / "src";
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(src)) {
+        const std::string name = fs::relative(entry.path(), src).generic_string();
+        const bool is_code = name.ends_with(".cpp") || name.ends_with(".h");
+        if (!is_code || first_part(name) == "app" || name.ends_with("_test.cpp")) continue;
+        std::ifstream text(entry.path());
+        std::string line;
+        for (int number = 1; std::getline(text, line); ++number) {
+            EXPECT_FALSE(std::regex_search(line, kFlag)) << name << ":" << number << ": " << line;
+            EXPECT_EQ(line.find("ExitCode"), line.npos) << name << ":" << number << ": " << line;
+        }
+    }
 }
 
 TEST(Layers, TheCheckSeesWhatItShould) {

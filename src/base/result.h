@@ -30,6 +30,9 @@ struct Error {
     std::string file;
     std::string location;
     std::string message;
+    // The setting that is at fault, or that would help ("camera", "any-device"); empty where none
+    // is. Front ends turn it into a hint in their own terms.
+    std::string setting{};
 
     // One line, "file: location: message"; control characters from the input are escaped.
     std::string line() const;
@@ -42,6 +45,13 @@ inline tl::unexpected<Error> fail(ErrorKind kind, std::string file, std::string 
                                   std::string message) {
     return tl::unexpected<Error>(
         Error{kind, std::move(file), std::move(location), std::move(message)});
+}
+
+// An error of kind invalid_argument about one setting.
+inline tl::unexpected<Error> fail_setting(std::string setting, std::string message,
+                                          std::string file = {}) {
+    return tl::unexpected<Error>(Error{ErrorKind::invalid_argument, std::move(file), "",
+                                       std::move(message), std::move(setting)});
 }
 
 }  // namespace hm

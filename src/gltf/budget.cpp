@@ -56,7 +56,7 @@ Result<void> check_memory(const Budget& budget, std::uint64_t bytes, const std::
     if (bytes <= budget.kept_bytes) return {};
     return fail(ErrorKind::invalid, file, pointer,
                 fmt::format("needs {} bytes of memory, but of the limit of {} only {} are left "
-                            "(--memory-limit)",
+                            "(memory-limit)",
                             bytes, budget.limit, budget.kept_bytes));
 }
 

@@ -132,8 +132,8 @@ std::vector<std::size_t> all_roots(const Hierarchy& nodes) {
 }
 
 // The scene of the options' name or index, a name first.
-Result<std::size_t> find_scene(const Json& root, const std::vector<Json>& scenes,
-                               const std::string& wanted) {
+Result<std::size_t> find_scene(const std::vector<Json>& scenes, const Source& source) {
+    const std::string& wanted = source.options.scene;
     std::string known;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         HM_TRY_ASSIGN(const std::string name, scenes[i].name());
@@ -144,9 +144,10 @@ Result<std::size_t> find_scene(const Json& root, const std::vector<Json>& scenes
     const char* const end = wanted.data() + wanted.size();
     const auto [stopped, error] = std::from_chars(wanted.data(), end, index);
     if (error == std::errc() && stopped == end && index < scenes.size()) return index;
-    return root.fail(ErrorKind::invalid_argument, "",
-                     fmt::format("--scene: there is no scene {}; the file has {}", excerpt(wanted),
-                                 known.empty() ? "none" : known));
+    return fail_setting("scene",
+                        fmt::format("there is no scene {}; the file has {}", excerpt(wanted),
+                                    known.empty() ? "none" : known),
+                        source.file);
 }
 
 // The root nodes of the scene that the options or "scene" name, of the first one, or of the whole
@@ -159,7 +160,7 @@ Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
     HM_TRY_ASSIGN(const auto& named, root.index("scene", scenes.size(), "scenes"));
     std::size_t chosen = named.value_or(0);
     if (!source.options.scene.empty()) {
-        HM_TRY_ASSIGN(chosen, find_scene(root, scenes, source.options.scene));
+        HM_TRY_ASSIGN(chosen, find_scene(scenes, source));
     }
     if (scenes.empty()) {
         source.warn("", "the file has no scene; all its nodes are shown");

@@ -128,11 +128,13 @@ UriResult<std::filesystem::path> decode_path(std::string_view uri, bool allow_ex
     if (allow_external) return path;
     // On some machines a backslash separates folders; a file that works here works there.
     if (decoded->find('\\') != std::string::npos) return refuse("paths with \"\\\" are refused");
-    if (path.has_root_path()) return refuse("absolute paths are refused (--allow-external)");
+    if (path.has_root_path())
+        return refuse("absolute paths are refused (allow-external permits them)");
     for (const auto& part : path)
         if (part == "..")
             return refuse(
-                "paths with \"..\" are refused: they leave the file's folder (--allow-external)");
+                "paths with \"..\" are refused: they leave the file's folder (allow-external "
+                "permits them)");
     return path;
 }
 
@@ -146,7 +148,7 @@ UriResult<void> check_inside(const std::filesystem::path& path,
     if (error) return tl::unexpected(error.message());
     const auto [left, unused] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());
     if (left != root.end())
-        return refuse("a symbolic link leads out of the file's folder (--allow-external)");
+        return refuse("a symbolic link leads out of the file's folder (allow-external permits it)");
     return {};
 }
 

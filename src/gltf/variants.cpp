@@ -28,9 +28,10 @@ Result<void> choose_variant(const Json& root, Source& source) {
         known += (i == 0 ? "" : ", ") + excerpt(name);
     }
     if (wanted.empty() || source.variant) return {};
-    return root.fail(ErrorKind::invalid_argument, "",
-                     fmt::format("--variant: there is no variant {}; the file has {}",
-                                 excerpt(wanted), known.empty() ? "none" : known));
+    return fail_setting("variant",
+                        fmt::format("there is no variant {}; the file has {}", excerpt(wanted),
+                                    known.empty() ? "none" : known),
+                        source.file);
 }
 
 Result<std::optional<std::size_t>> read_material_index(const Json& primitive, const Source& source,

@@ -1,7 +1,6 @@
 #include "scene/flatten.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -219,38 +218,6 @@ FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice ch
 EnvironmentMap take_environment(FlatScene& scene) {
     return {scene.environment, std::move(scene.environment_texels),
             std::move(scene.environment_alias), scene.mean_radiance};
-}
-
-void set_light_ranges(const FlatScene& scene, RenderParams& params) {
-    params.light_count = std::uint32_t(scene.lights.size());
-    params.emitter_count = std::uint32_t(scene.emitters.size());
-    std::array<LightRange*, 3> ranges = {&params.environment_range, &params.punctual_range,
-                                         &params.emitter_range};
-    std::array<double, 3> powers = {scene.environment_power, scene.punctual_power,
-                                    scene.emitter_power};
-    // BSDF sampling never finds a punctual light, so those are sampled in every strategy.
-    if (params.strategy == kStrategyBsdf) powers[0] = powers[2] = 0;
-    double total = 0;
-    int present = 0;
-    for (double p : powers) {
-        total += p;
-        present += p > 0 ? 1 : 0;
-    }
-    double begin = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        *ranges[i] = LightRange{};
-        if (!(powers[i] > 0)) continue;
-        // Half by power, half evenly: power says little about what reaches a given point.
-        double share = 0.5 * powers[i] / total + 0.5 / present;
-        double end = std::min(begin + share, 1.0);
-        double low = std::floor(begin * 4294967295.0), high = std::floor(end * 4294967295.0);
-        if (end > 1.0 - 1e-9) high = 4294967295.0;
-        double scale = 4294967295.0 / (high - low);
-        *ranges[i] = {std::uint32_t(low), std::uint32_t(high), std::uint32_t(scale),
-                      std::uint32_t((scale - std::floor(scale)) * 4294967296.0),
-                      float((high - low) / 4294967295.0)};
-        begin = end;
-    }
 }
 
 }  // namespace hm

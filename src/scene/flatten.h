@@ -80,7 +80,4 @@ FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice ch
 // Moves the environment out of a scene that is no longer rendered, to flatten the next one with it.
 EnvironmentMap take_environment(FlatScene& scene);
 
-// Fills the light ranges and counts of `params` from the scene's lights, for params.strategy.
-void set_light_ranges(const FlatScene& scene, RenderParams& params);
-
 }  // namespace hm

@@ -175,9 +175,10 @@ Result<std::size_t> find_animation(const Scene& scene, const std::string& wanted
     const char* const end = wanted.data() + wanted.size();
     const auto [stopped, error] = std::from_chars(wanted.data(), end, index);
     if (error == std::errc() && stopped == end && index < scene.animations.size()) return index;
-    return fail(ErrorKind::invalid_argument, scene.file, "",
-                fmt::format("--animation: there is no animation \"{}\"; the file has {}", wanted,
-                            known.empty() ? "none" : known));
+    return fail_setting("animation",
+                        fmt::format("there is no animation \"{}\"; the file has {}", wanted,
+                                    known.empty() ? "none" : known),
+                        scene.file);
 }
 
 }  // namespace hm

@@ -9,6 +9,7 @@
 #include "gpu/compute.h"
 #include "gpu/path_tracer.h"
 #include "gpu/same_picture.h"
+#include "scene/render_params.h"
 #include "shaders/path_comp.h"
 
 namespace hm::test {

@@ -10,6 +10,7 @@
 
 #include "gpu/world_triangle.h"
 #include "scene/flatten.h"
+#include "scene/render_params.h"
 #include "shading/shading.h"
 #include "shading/tables/tables.h"
 

@@ -14,6 +14,7 @@
 #include "gpu/renderers.h"
 #include "image/read.h"
 #include "scene/camera.h"
+#include "scene/render_params.h"
 #include "support/asset_files.h"
 
 namespace hm::test {

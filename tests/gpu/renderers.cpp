@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "rhi/test_device.h"
+#include "scene/render_params.h"
 #include "shading/tables/tables.h"
 
 namespace hm::test {
@@ -39,14 +40,9 @@ void expect_no_messages() {
 RenderJob make_job(const FlatScene& scene, const CameraData& camera) {
     RenderJob job;
     job.camera = camera;
-    job.params.width = job.params.height = kPictureSize;
-    job.params.seed = 5;
-    job.params.sampler_kind = kSamplerSobolOwen;
-    job.params.max_bounces = 6;
-    job.params.energy_compensation = 1;
-    job.params.filter_width = 2;
+    job.params = make_params(scene, kPictureSize, kPictureSize,
+                             {.seed = 5, .bounces = 6, .filter = PixelFilter::gaussian});
     job.filter_table = make_filter_table(PixelFilter::gaussian);
-    set_light_ranges(scene, job.params);
     return job;
 }
 

@@ -6,6 +6,7 @@
 
 #include "gpu/path_tracer.h"
 #include "scene/camera.h"
+#include "scene/render_params.h"
 #include "scene/tangents.h"
 
 namespace hm::test {
@@ -219,14 +220,7 @@ TestScene::TestScene() {
 }
 
 RenderParams TestScene::params() const {
-    RenderParams params{};
-    params.seed = 5;
-    params.sampler_kind = kSamplerSobolOwen;
-    params.max_bounces = 6;
-    params.energy_compensation = 1;
-    params.filter_width = 2;
-    set_light_ranges(flat, params);
-    return params;
+    return make_params(flat, 0, 0, {.seed = 5, .bounces = 6, .filter = PixelFilter::gaussian});
 }
 
 }  // namespace hm::test

@@ -117,8 +117,8 @@ TEST_F(Merge, WhatDoesNotFitIsRefused) {
     };
     refuse(3, 6, {}, "holds samples 3 to 6; " + a + " holds 0 to 4");
     refuse(6, 8, {}, "begins with sample 6, and no part has 4 to 6");
-    refuse(4, 8, {"--seed", "7"}, "is of another picture: --seed 7 (" + a + " has 0)");
-    refuse(4, 8, {"--size", "32x31"}, "is of another picture: --size 32x31 (" + a + " has 32x32)");
+    refuse(4, 8, {"--seed", "7"}, "is of another picture: seed 7 (" + a + " has 0)");
+    refuse(4, 8, {"--size", "32x31"}, "is of another picture: size 32x31 (" + a + " has 32x32)");
     expect_refused({b}, b + ": begins with sample 4, and no part has 0 to 4");
     expect_refused({a, a}, a + ": holds samples 0 to 4; " + a + " holds 0 to 4");
     expect_refused({a, folder / "gone.exr"},

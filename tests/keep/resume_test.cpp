@@ -110,12 +110,11 @@ TEST_F(Resume, OtherPicturesAreRefused) {
                        checkpoint + ": " + why);
     };
     const std::string other = "is of another picture: ";
-    refuse({"--seed", "2"}, other + "--seed 0 (now 2)");
-    refuse({"--size", "32x33"}, other + "--size 32x32 (now 32x33)");
-    refuse({"--crop", "0,0,8,8"}, other + "no --crop (now 0,0,8,8)");
-    refuse({"--bounces", "2", "--clamp", "1.5"},
-           other + "--bounces 8 (now 2), --clamp 0 (now 1.5)");
-    refuse({"--eye", "0,0,1", "--fov", "30"}, other + "no --eye (now 0,0,1), no --fov (now 30)");
+    refuse({"--seed", "2"}, other + "seed 0 (now 2)");
+    refuse({"--size", "32x33"}, other + "size 32x32 (now 32x33)");
+    refuse({"--crop", "0,0,8,8"}, other + "no crop (now 0,0,8,8)");
+    refuse({"--bounces", "2", "--clamp", "1.5"}, other + "bounces 8 (now 2), clamp 0 (now 1.5)");
+    refuse({"--eye", "0,0,1", "--fov", "30"}, other + "no eye (now 0,0,1), no fov (now 30)");
     expect_ok(small_render(folder / "sky.hdr", 1));
     refuse({"--env", folder / "sky.hdr"}, other + "the environment differs");
     refuse({}, "holds samples up to 4 already; 3 is less", 3);

@@ -14,6 +14,7 @@
 #include "image/write.h"
 #include "reference/compare.h"
 #include "reference/scenes.h"
+#include "scene/render_params.h"
 #include "shading/tables/tables.h"
 #include "support/scenes.h"
 
@@ -53,22 +54,14 @@ Estimate read_reference(const std::string& name) {
             read_values(name + "_variance")};
 }
 
-RenderParams make_params(const ReferenceCase& c, const FlatScene& flat) {
-    RenderParams p{};
-    p.width = kReferenceWidth;
-    p.height = kReferenceHeight;
-    p.sampler_kind = kSamplerIndependent;
-    p.max_bounces = c.max_bounces;
-    p.strategy = kStrategyMis;
-    p.filter_width = 1;
-    set_light_ranges(flat, p);
-    return p;
-}
-
 Estimate render(const ReferenceCase& c, std::uint32_t samples) {
     const FlatScene flat = flatten_quietly(c.scene, c.environment);
     CpuRenderer renderer(flat, 1);
-    RenderParams params = make_params(c, flat);
+    RenderParams params = make_params(flat, kReferenceWidth, kReferenceHeight,
+                                      {.sampler = kSamplerIndependent,
+                                       .bounces = c.max_bounces,
+                                       .energy_compensation = false,
+                                       .filter = PixelFilter::box});
     const auto filter = make_filter_table(PixelFilter::box);
     const std::size_t count = std::size_t(3) * kReferenceWidth * kReferenceHeight;
     std::vector<double> sum(count), squares(count);

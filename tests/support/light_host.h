@@ -2,21 +2,20 @@
 #pragma once
 
 #include "scene/flatten.h"
+#include "scene/render_params.h"
 #include "shading/shading.h"
 
 namespace hm::test {
 
 struct LightHost {
     const FlatScene& flat;
-    RenderParams params{};
+    RenderParams params;
     EnvironmentData environment = flat.environment;
 #define HM_SCENE_TABLE(number, Type, name) const Type* name = flat.name.data();
 #include "shading/tables.inl"
 
-    explicit LightHost(const FlatScene& scene, uint strategy = kStrategyMis) : flat(scene) {
-        params.strategy = strategy;
-        set_light_ranges(scene, params);
-    }
+    explicit LightHost(const FlatScene& scene, uint strategy = kStrategyMis)
+        : flat(scene), params(make_params(scene, 0, 0, {.strategy = strategy})) {}
 
     uvec2 image_size(uint image) const {
         return {flat.images[image].width, flat.images[image].height};

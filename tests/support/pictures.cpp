@@ -7,6 +7,7 @@
 #include "scene/camera.h"
 #include "scene/light_groups.h"
 #include "scene/motion.h"
+#include "scene/render_params.h"
 #include "scene/tangents.h"
 #include "shading/tables/tables.h"
 #include "support/statistics.h"
@@ -35,18 +36,15 @@ Studio::Studio(Scene scene, EnvironmentMap environment, LightChoice choice, unsi
 
 void Studio::draw(const CameraData& camera, const CameraData& next_camera, const Shot& shot,
                   Film& film) {
-    RenderParams params{};
-    params.width = shot.width;
-    params.height = shot.height;
-    params.seed = shot.seed;
-    params.sampler_kind = shot.sampler;
-    params.max_bounces = shot.bounces;
-    params.max_radiance = shot.clamp;
-    params.strategy = shot.strategy;
-    params.energy_compensation = shot.energy_compensation ? 1 : 0;
-    params.background = shot.background;
-    params.filter_width = 1;
-    set_light_ranges(flat_, params);
+    const RenderParams params = make_params(flat_, shot.width, shot.height,
+                                            {.seed = shot.seed,
+                                             .sampler = shot.sampler,
+                                             .bounces = shot.bounces,
+                                             .clamp = shot.clamp,
+                                             .strategy = shot.strategy,
+                                             .energy_compensation = shot.energy_compensation,
+                                             .background = shot.background,
+                                             .filter = PixelFilter::box});
     static const std::array<float, 257> box = make_filter_table(PixelFilter::box);
     RenderCounters counters;
     EXPECT_TRUE(renderer_.begin({camera, params, box, next_camera}, film));

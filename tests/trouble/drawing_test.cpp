@@ -6,9 +6,9 @@
 
 #include <cstring>
 
-#include "app/cli/devices.h"
 #include "gpu/path_tracer.h"
 #include "gpu/renderers.h"
+#include "session/devices.h"
 #include "trouble/sweep.h"
 
 namespace hm::test {
@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t kSide = 8, kFirst = 2, kAll = 5;
 
 // The device of all tests as the program's; a renderer's pipelines are compiled once.
-class SharedGpu final : public cli::Device {
+class SharedGpu final : public RenderDevice {
   public:
     std::string name() const override { return "Vulkan"; }
     Result<std::unique_ptr<Renderer>> load(const FlatScene& scene) override {
@@ -100,7 +100,7 @@ void Drawing::sweep_with_fallback(VkResult result) {
         lines.clear();
         film = empty_film();
         counters.samples = counters.rays = counters.non_finite = 0;
-        const auto device = cli::choose_device(
+        const auto device = choose_device(
             {}, 1, [](auto) { return std::make_unique<SharedGpu>(); },
             [&](std::string_view line) { lines.emplace_back(line); });
         auto renderer = (*device)->load(scene_.flat);

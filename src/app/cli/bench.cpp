@@ -7,12 +7,14 @@
 #include <optional>
 
 #include "app/cli/bench_report.h"
+#include "app/cli/drivers.h"
 #include "app/cli/json_writer.h"
 #include "app/cli/output.h"
-#include "app/cli/prepared_scene.h"
 #include "app/cli/progress.h"
-#include "app/cli/vulkan_devices.h"
+#include "base/clock.h"
 #include "base/machine.h"
+#include "session/prepared_scene.h"
+#include "session/vulkan_devices.h"
 
 namespace hm::cli {
 namespace {
@@ -31,11 +33,11 @@ Result<Round> draw(Renderer& renderer, std::uint32_t begin, std::uint32_t end) {
 }
 
 // Rounds of as many samples as fill a second; the fastest counts. What comes before warms up.
-Result<SceneRates> measure(Device& device, const PreparedScene& scene, std::uint32_t width,
+Result<SceneRates> measure(RenderDevice& device, const PreparedScene& scene, std::uint32_t width,
                            std::uint32_t height) {
-    HM_TRY_ASSIGN(const std::unique_ptr<Renderer> renderer, device.load(scene.flat));
+    HM_TRY_ASSIGN(const std::unique_ptr<Renderer> renderer, device.load(scene.setup.flat));
     Film film({0, 0, width, height});
-    HM_TRY(renderer->begin(scene.job, film));
+    HM_TRY(renderer->begin(scene.setup.job, film));
     SceneRates rates;
     std::uint32_t done = 0, count = 1;
     for (;;) {
@@ -52,15 +54,17 @@ Result<SceneRates> measure(Device& device, const PreparedScene& scene, std::uint
     }
     HM_TRY(renderer->sync());
     rates.report = renderer->report();
-    HM_TRY_ASSIGN(rates.traced, device.trace_rates(scene.flat, scene.job));
+    HM_TRY_ASSIGN(rates.traced, device.trace_rates(scene.setup.flat, scene.setup.job));
     return rates;
 }
 
 // auto takes a GPU if there is one. Nothing is replaced later: that would measure another device.
-Result<std::unique_ptr<Device>> open_device(const DeviceFlag& wanted, Diagnostics& diagnostics) {
-    if (wanted.kind == DeviceFlag::Kind::cpu) return cpu_device(0);
-    Result<std::unique_ptr<Device>> gpu = open_vulkan_device(wanted.index, diagnostics);
-    if (!gpu && wanted.kind == DeviceFlag::Kind::automatic) return cpu_device(0);
+Result<std::unique_ptr<RenderDevice>> open_device(const DeviceChoice& wanted,
+                                                  Diagnostics& diagnostics) {
+    if (wanted.kind == DeviceChoice::Kind::cpu) return cpu_device(0);
+    add_hidden_drivers();
+    Result<std::unique_ptr<RenderDevice>> gpu = open_vulkan_device(wanted.index, diagnostics);
+    if (!gpu && wanted.kind == DeviceChoice::Kind::automatic) return cpu_device(0);
     return gpu;
 }
 
@@ -69,7 +73,8 @@ Result<std::unique_ptr<Device>> open_device(const DeviceFlag& wanted, Diagnostic
 Result<ExitCode> bench(const BenchOptions& options) {
     Progress progress(false);
     Diagnostics diagnostics;
-    HM_TRY_ASSIGN(const std::unique_ptr<Device> device, open_device(options.device, diagnostics));
+    HM_TRY_ASSIGN(const std::unique_ptr<RenderDevice> device,
+                  open_device(options.device, diagnostics));
     JsonWriter json;
     json.begin_object().field("cpu", cpu_model()).field("threads", cpu_threads());
     json.field("commit", build_commit()).field("compiler", __VERSION__);
@@ -77,11 +82,12 @@ Result<ExitCode> bench(const BenchOptions& options) {
     json.key("scenes").begin_array();
     for (const std::string& input : options.inputs) {
         HM_TRY_ASSIGN(RenderOptions drawing, default_render_options(input));
-        drawing.width = options.width;
-        drawing.height = options.height;
+        drawing.settings.frame.width = options.width;
+        drawing.settings.frame.height = options.height;
         progress.note(fmt::format("{} on {}", input, device->name()));
-        HM_TRY_ASSIGN(const std::unique_ptr<PreparedScene> scene,
-                      prepare_scene(drawing, diagnostics));
+        HM_TRY_ASSIGN(
+            const std::unique_ptr<PreparedScene> scene,
+            prepare_scene(drawing.scene_file, drawing.load, drawing.settings, diagnostics));
         HM_TRY_ASSIGN(const SceneRates rates,
                       measure(*device, *scene, options.width, options.height));
         write_scene(json, input, rates);

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/devices.h"
 #include "app/cli/json_writer.h"
+#include "session/devices.h"
 
 namespace hm::cli {
 

@@ -159,11 +159,7 @@ void add_compare_flags(CLI::App& app, CompareOptions& o) {
         "Write a picture of the error in the first layer. .png: colours from black (0) to light "
         "yellow (1), green where a value is not finite. .exr: the numbers");
     picture->type_name("PATH");
-    const auto kind = [](const std::string& text) {
-        return parse_choice<ErrorMetric>(text, {{"flip", ErrorMetric::flip},
-                                                {"rmse", ErrorMetric::rmse},
-                                                {"relmse", ErrorMetric::relmse}});
-    };
+    const auto kind = [](const std::string& text) { return parse_choice(text, kErrorMetrics); };
     add(app, "--error", "NAME", o.error_metric, kind,
         "What that picture shows: flip (the default), rmse or relmse")
         ->needs(picture);

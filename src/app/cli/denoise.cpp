@@ -14,40 +14,10 @@
 #include "base/files.h"
 #include "film/write.h"
 #include "image/layers.h"
+#include "session/choices.h"
 
 namespace hm::cli {
 namespace {
-
-tl::unexpected<Error> lacks(std::string what) {
-    return fail(ErrorKind::invalid, "", "", std::move(what));
-}
-
-Result<Image> guide(const LayeredImage& picture, const char* name) {
-    if (const Layer* layer = picture.find(name)) return layer_image(picture, *layer);
-    return lacks(
-        fmt::format("has no layer \"{}\" to guide the denoiser: render with --denoise or "
-                    "--aov albedo,normal, or give --without-guides",
-                    name));
-}
-
-// In place of an earlier one.
-void set_layer(LayeredImage& picture, Layer layer) {
-    for (Layer& old : picture.layers)
-        if (old.name == layer.name) {
-            old = std::move(layer);
-            return;
-        }
-    picture.layers.push_back(std::move(layer));
-}
-
-void set_metadata(LayeredImage& picture, const std::string& key, std::string value) {
-    for (auto& [name, old] : picture.metadata)
-        if (name == key) {
-            old = std::move(value);
-            return;
-        }
-    picture.metadata.emplace_back(key, std::move(value));
-}
 
 Result<void> write_one(const std::filesystem::path& path, const DenoiseOptions& options,
                        const LayeredImage& picture, const Image& denoised) {
@@ -87,13 +57,7 @@ std::string report(const DenoiseOptions& options, const std::string& device,
 CLI::Option* add_denoise_device(CLI::App& app, const std::string& flag, DenoiseDevice& device) {
     return add(
         app, flag, "NAME", device,
-        [](const std::string& text) {
-            return parse_choice<DenoiseDevice>(text, {{"auto", DenoiseDevice::fastest},
-                                                      {"cpu", DenoiseDevice::cpu},
-                                                      {"cuda", DenoiseDevice::cuda},
-                                                      {"hip", DenoiseDevice::hip},
-                                                      {"sycl", DenoiseDevice::sycl}});
-        },
+        [](const std::string& text) { return parse_choice(text, kDenoiseDevices); },
         "What denoises: auto (the fastest there is, the default), cpu, cuda, hip or sycl");
 }
 
@@ -115,33 +79,6 @@ void add_denoise_flags(CLI::App& app, DenoiseOptions& o) {
         "Threads; 0: all cores (the default)");
     add_tone_flags(app, o.exposure, o.tone_curve);
     app.add_flag("--json", o.json, "Print JSON instead of text");
-}
-
-Result<Denoised> denoise_layers(const Denoiser& denoiser, LayeredImage& picture,
-                                const Guidance& guidance) {
-    const Layer* const noisy = picture.find("");
-    if (noisy == nullptr || !noisy->find("R") || !noisy->find("G") || !noisy->find("B"))
-        return lacks("has no picture: channels R, G and B without a layer's name");
-    const bool alpha = noisy->find("A") != nullptr;
-    const ChannelType type = noisy->find("R")->type;
-    const Image beauty = layer_image(picture, *noisy);
-    Image albedo, normal;
-    if (!guidance.without) {
-        HM_TRY_ASSIGN(albedo, guide(picture, "albedo"));
-        HM_TRY_ASSIGN(normal, guide(picture, "normal"));
-    }
-    HM_TRY_ASSIGN(Denoised denoised,
-                  denoiser.denoise({.beauty = &beauty,
-                                    .albedo = guidance.without ? nullptr : &albedo,
-                                    .normal = guidance.without ? nullptr : &normal,
-                                    .alpha = alpha,
-                                    .clean_guides = guidance.clean}));
-    Layer layer = make_layer(kDenoisedLayer, denoised.picture, alpha);
-    for (LayerChannel& channel : layer.channels)
-        channel.type = type;
-    set_layer(picture, std::move(layer));
-    set_metadata(picture, "denoiser", denoiser.description());
-    return denoised;
 }
 
 Result<ExitCode> denoise(const DenoiseOptions& options) {

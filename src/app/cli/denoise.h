@@ -11,18 +11,10 @@
 
 #include "app/cli/exit_code.h"
 #include "film/denoise.h"
-#include "image/layers.h"
+#include "session/denoise_layers.h"
 #include "shading/color.h"
 
 namespace hm::cli {
-
-// The layer that the denoised picture has in a file; the picture proper stays the noisy one.
-inline constexpr const char* kDenoisedLayer = "denoised";
-
-struct Guidance {
-    bool without = false;  // by the colours alone
-    bool clean = false;    // albedo and normal are free of noise
-};
 
 struct DenoiseOptions {
     std::filesystem::path input;
@@ -34,12 +26,6 @@ struct DenoiseOptions {
     std::optional<float> exposure = 0.0f;  // none: auto
     bool json = false;
 };
-
-// Denoises the picture proper, guided by the layers albedo and normal, into the layer "denoised"
-// and says so in the metadata. Fails with ErrorKind::invalid and no file's name where a layer is
-// missing.
-Result<Denoised> denoise_layers(const Denoiser& denoiser, LayeredImage& picture,
-                                const Guidance& guidance);
 
 // Both must outlive the parsing; flags throw CLI::ParseError.
 void add_denoise_flags(CLI::App& app, DenoiseOptions& options);

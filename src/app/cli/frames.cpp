@@ -46,31 +46,14 @@ std::filesystem::path frame_path(const std::filesystem::path& pattern, std::uint
 
 RenderOptions frame_options(const RenderOptions& options, std::uint32_t number) {
     RenderOptions frame = options;
-    frame.frames.reset();
-    frame.frame = number;
-    frame.at = float(double(number) / double(options.fps));
-    // Frame 0 has the seed itself; an odd factor keeps all others apart.
-    frame.seed = options.seed + number * 0x9e3779b9u;
+    frame.settings = settings_of_frame(options.settings, number);
     for (std::filesystem::path& path : frame.outputs)
         path = frame_path(path, number);
     std::erase_if(frame.given,
                   [](const auto& flag) { return flag.first == "frames" || flag.first == "seed"; });
-    frame.given.emplace_back("at", fmt::format("{}", *frame.at));
-    frame.given.emplace_back("seed", fmt::format("{}", frame.seed));
+    frame.given.emplace_back("at", fmt::format("{}", *frame.settings.animation.at));
+    frame.given.emplace_back("seed", fmt::format("{}", frame.settings.path.seed));
     return frame;
-}
-
-Result<std::optional<PoseTime>> choose_pose(const RenderOptions& options, const Scene& scene,
-                                            Diagnostics& diagnostics) {
-    if (options.animation.empty() && !options.at) return std::nullopt;
-    PoseTime pose{0, double(options.at.value_or(0))};
-    if (!options.animation.empty()) {
-        HM_TRY_ASSIGN(pose.animation, find_animation(scene, options.animation));
-    } else if (scene.animations.empty()) {
-        diagnostics.warn(scene.file, "", "has no animation; its pose is the same at any time");
-        return std::nullopt;
-    }
-    return pose;
 }
 
 }  // namespace hm::cli

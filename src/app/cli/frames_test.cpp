@@ -30,38 +30,21 @@ TEST(Frames, FileNames) {
 TEST(Frames, OptionsOfOneFrame) {
     RenderOptions options;
     options.frames = FrameRange{0, 48};
-    options.fps = 24;
-    options.seed = 5;
+    options.settings.animation.fps = 24;
+    options.settings.path.seed = 5;
     options.outputs = {"f##.png", "g#.exr"};
     options.given = {{"frames", "0:48"}, {"spp", "4"}, {"seed", "5"}};
     const RenderOptions frame = frame_options(options, 36);
-    EXPECT_EQ(frame.at, 1.5f);
+    EXPECT_EQ(frame.settings.animation.at, 1.5f);
     EXPECT_EQ(frame.outputs[0], "f36.png");
     EXPECT_EQ(frame.outputs[1], "g36.exr");
     EXPECT_EQ(frame.given.size(), 3u);
     EXPECT_EQ(frame.given[1].first, "at");
-    EXPECT_EQ(frame_options(options, 0).seed, 5u);
+    EXPECT_EQ(frame_options(options, 0).settings.path.seed, 5u);
     std::set<std::uint32_t> seeds;
     for (std::uint32_t i = 0; i <= 1000; ++i)
-        seeds.insert(frame_options(options, i).seed);
+        seeds.insert(frame_options(options, i).settings.path.seed);
     EXPECT_EQ(seeds.size(), 1001u);
-}
-
-TEST(Frames, PosesOfTheFirstOrTheNamedAnimation) {
-    Scene scene;
-    Diagnostics diagnostics;
-    RenderOptions options;
-    EXPECT_FALSE(choose_pose(options, scene, diagnostics).value());
-    options.at = 2;
-    EXPECT_FALSE(choose_pose(options, scene, diagnostics).value());
-    EXPECT_EQ(diagnostics.warnings().size(), 1u);
-    scene.animations = {{"walk", {}, {}}, {"run", {}, {}}};
-    EXPECT_EQ(choose_pose(options, scene, diagnostics).value()->animation, 0u);
-    EXPECT_EQ(choose_pose(options, scene, diagnostics).value()->seconds, 2.0);
-    options.animation = "run";
-    EXPECT_EQ(choose_pose(options, scene, diagnostics).value()->animation, 1u);
-    options.animation = "swim";
-    EXPECT_EQ(choose_pose(options, scene, diagnostics).error().kind, ErrorKind::invalid_argument);
 }
 
 }  // namespace

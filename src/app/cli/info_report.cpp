@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/cli/hints.h"
 #include "gltf/load.h"
 
 namespace hm::cli {
@@ -32,7 +33,7 @@ InfoReport examine(const InfoOptions& options) {
             report.file->scene = find_scene(report.file->scenes, options.load.scene);
         report.flat = flatten(*report.scene, {}, {}, report.diagnostics);
     } else {
-        report.error = std::move(scene.error());
+        report.error = with_hint(std::move(scene.error()));
     }
     return report;
 }

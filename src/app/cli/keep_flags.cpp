@@ -30,7 +30,8 @@ Parsed<std::filesystem::path> parse_path(const std::string& text) {
 
 }  // namespace
 
-void add_keep_flags(CLI::App& app, KeepOptions& o) {
+void add_keep_flags(CLI::App& app, RenderOptions& options) {
+    KeepSettings& o = options.keep;
     add(app, "--checkpoint", "FILE", o.checkpoint, parse_path,
         "Keep all samples in this file, an OpenEXR of sums, while rendering and at its end. An "
         "existing one is not replaced but by --resume");
@@ -44,13 +45,13 @@ void add_keep_flags(CLI::App& app, KeepOptions& o) {
         "the frame that was being drawn. With --checkpoint of the same name it may be missing at "
         "first");
     app.add_flag("--any-device", o.any_device, "Let --resume go on with what another device drew");
-    add(app, "--samples", "A:B", o.samples, parse_samples,
+    add(app, "--samples", "A:B", options.settings.sampling.range, parse_samples,
         "Draw this range of the samples only, from 0, B excluded. An .exr is then a part: sums "
         "that himalaya merge joins with others");
 }
 
 Result<void> check_keep_options(const RenderOptions& options) {
-    const KeepOptions& o = options.keep;
+    const KeepSettings& o = options.keep;
     const auto usage = [](std::string message) {
         return fail(ErrorKind::invalid_argument, "", "", std::move(message));
     };

@@ -7,7 +7,7 @@
 
 namespace hm::cli {
 
-void add_keep_flags(CLI::App& app, KeepOptions& options);
+void add_keep_flags(CLI::App& app, RenderOptions& options);
 
 // Fails where the flags do not fit together, or a checkpoint would be lost or can't be written.
 Result<void> check_keep_options(const RenderOptions& options);

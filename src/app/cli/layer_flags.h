@@ -3,16 +3,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/options.h"
+#include "session/settings.h"
 
 namespace hm::cli {
 
-void add_layer_flags(CLI::App& app, LayerOptions& options);
-
-// Fails where the flags do not fit together: ids do not survive a lossy compression.
-Result<void> check_layer_options(const LayerOptions& options);
-
-// Bytes that the film and the file take for one pixel's AOVs, about.
-double layer_bytes_per_pixel(const LayerOptions& options);
+void add_layer_flags(CLI::App& app, LayerSettings& options);
 
 }  // namespace hm::cli

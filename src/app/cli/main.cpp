@@ -9,6 +9,7 @@
 #include "app/cli/compare.h"
 #include "app/cli/denoise.h"
 #include "app/cli/doctor/doctor.h"
+#include "app/cli/hints.h"
 #include "app/cli/info.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
@@ -44,7 +45,9 @@ int main(int count, char** arguments) {
     cli::ignore_write_signals();
     try {
         const Result<cli::ExitCode> code = run(count, arguments);
-        return code ? int(*code) : complain(cli::exit_code(code.error().kind), code.error().line());
+        return code ? int(*code)
+                    : complain(cli::exit_code(code.error().kind),
+                               cli::with_hint(code.error()).line());
     } catch (const std::bad_alloc&) {
         return complain(cli::ExitCode::internal, "there is not enough memory");
     } catch (const std::exception& error) {

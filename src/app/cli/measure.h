@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/choice.h"
 #include "image/flip.h"
 #include "image/layers.h"
 #include "image/metrics.h"
@@ -14,6 +15,8 @@
 namespace hm::cli {
 
 enum class ErrorMetric { flip, rmse, relmse };
+inline constexpr Choice<ErrorMetric> kErrorMetrics[] = {
+    {"flip", ErrorMetric::flip}, {"rmse", ErrorMetric::rmse}, {"relmse", ErrorMetric::relmse}};
 
 // Two layers of one size and with the same channels.
 struct LayerPair {

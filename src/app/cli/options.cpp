@@ -155,8 +155,9 @@ CommandLine parse(const Arguments& arguments) {
             options.given.emplace_back(
                 name, option->get_items_expected_max() == 0 ? "" : option->results().front());
     }
-    if (options.time && render.get_option("--spp")->count() == 0) options.samples = kMaxSamples;
-    KeepOptions& keep = options.keep;
+    SamplingSettings& sampling = options.settings.sampling;
+    if (sampling.time && render.get_option("--spp")->count() == 0) sampling.samples = kMaxSamples;
+    KeepSettings& keep = options.keep;
     keep.begin_if_missing = !keep.resume.empty() && keep.checkpoint == keep.resume;
     if (keep.checkpoint.empty()) keep.checkpoint = keep.resume;
     line.render = std::move(options);

@@ -1,25 +1,12 @@
 // What the user sees on standard error while the program works.
 #pragma once
 
-#include <chrono>
-#include <cstdint>
 #include <mutex>
 #include <string_view>
 
+#include "session/passes.h"
+
 namespace hm::cli {
-
-using Clock = std::chrono::steady_clock;
-
-inline double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-struct ProgressState {
-    double fraction = 0;  // of samples or of time, whichever is nearer to its end
-    double samples_per_pixel = 0;
-    std::uint64_t rays = 0;
-    double seconds = 0;  // of rendering
-};
 
 // A live bar on a terminal, else a line every few seconds. Lines are made printable. Any thread may
 // call at any time.

@@ -1,12 +1,10 @@
 #include "app/cli/render_flags.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "app/cli/devices.h"
 #include "app/cli/flag.h"
 #include "app/cli/frames.h"
 #include "app/cli/keep_flags.h"
@@ -16,7 +14,7 @@
 #include "app/cli/tone_flags.h"
 #include "app/cli/values.h"
 #include "base/files.h"
-#include "film/write.h"
+#include "session/choices.h"
 
 namespace hm::cli {
 namespace {
@@ -27,8 +25,11 @@ auto number(float low, float high) {
 auto integer(std::uint32_t low, std::uint32_t high) {
     return [=](const std::string& text) { return parse_integer(text, low, high); };
 }
-Parsed<bool> parse_switch(const std::string& text) {
-    return parse_choice<bool>(text, {{"on", true}, {"off", false}});
+
+// A parser of the names in a table.
+template <class T, std::size_t N>
+auto one_of(const Choice<T> (&choices)[N]) {
+    return [&choices](const std::string& text) { return parse_choice(text, choices); };
 }
 
 void add_files(CLI::App& app, RenderOptions& o) {
@@ -45,54 +46,44 @@ void add_files(CLI::App& app, RenderOptions& o) {
 }
 
 void add_sampling(CLI::App& app, RenderOptions& o) {
-    const auto store = [&o](const std::string& text) {
+    FrameSettings& frame = o.settings.frame;
+    SamplingSettings& sampling = o.settings.sampling;
+    PathSettings& path = o.settings.path;
+    const auto store = [&frame](const std::string& text) {
         const Parsed<Size> size = parse_size(text);
         if (!size) throw CLI::ValidationError("--size", size.error());
-        o.width = size->width;
-        o.height = size->height;
+        frame.width = size->width;
+        frame.height = size->height;
     };
     app.add_option_function<std::string>("--size", store, "The picture's pixels (1280x720)")
         ->type_name("WxH");
-    add(app, "--crop", "X0,Y0,X1,Y1", o.crop, parse_crop,
+    add(app, "--crop", "X0,Y0,X1,Y1", frame.crop, parse_crop,
         "Draw and write these pixels only, the last ones excluded. They get the samples that they "
         "get in the whole picture");
-    add(app, "--spp", "N", o.samples, integer(1, kMaxSamples),
+    add(app, "--spp", "N", sampling.samples, integer(1, kMaxSamples),
         "Samples per pixel (64; with --time alone as many as fit)");
-    add(app, "--time", "SECONDS", o.time, number(0.001f, 1e9f),
+    add(app, "--time", "SECONDS", sampling.time, number(0.001f, 1e9f),
         "Stop after this much wall-clock time of rendering, but not before each pixel has a "
         "sample; time before --resume counts");
-    add(app, "--seed", "N", o.seed, integer(0, 0xffffffffu), "Another number, other noise (0)");
-    add(
-        app, "--sampler", "NAME", o.sampler,
-        [](const std::string& text) {
-            return parse_choice<std::uint32_t>(text, {{"independent", kSamplerIndependent},
-                                                      {"sobol-blue-noise", kSamplerSobolBlueNoise},
-                                                      {"sobol-owen", kSamplerSobolOwen}});
-        },
+    add(app, "--seed", "N", path.seed, integer(0, 0xffffffffu), "Another number, other noise (0)");
+    add(app, "--sampler", "NAME", path.sampler, one_of(kSamplers),
         "independent, sobol-blue-noise or sobol-owen (the default)");
-    add(app, "--bounces", "N", o.bounces, integer(0, 1000000),
+    add(app, "--bounces", "N", path.bounces, integer(0, 1000000),
         "Scattering events per path: 1 is direct light, 0 no limit (8)");
-    add(app, "--clamp", "X", o.clamp, number(0, 1e15f),
+    add(app, "--clamp", "X", path.clamp, number(0, 1e15f),
         "Scale each contribution of an indirect bounce down to this. Fewer fireflies, less light; "
         "the metadata say how much less. 0: off (the default)");
-    add(
-        app, "--filter", "NAME", o.filter,
-        [](const std::string& text) {
-            return parse_choice<PixelFilter>(text,
-                                             {{"box", PixelFilter::box},
-                                              {"gaussian", PixelFilter::gaussian},
-                                              {"blackman-harris", PixelFilter::blackman_harris}});
-        },
-        "Pixel filter: box, gaussian (sigma is a fourth of the width) or blackman-harris (the "
+    add(app, "--filter", "NAME", path.filter, one_of(kPixelFilters),
+        "Pixel filter: box, gaussian (sigma is a quarter of the width) or blackman-harris (the "
         "default)");
-    add(app, "--filter-width", "PX", o.filter_width, number(0, 64),
+    add(app, "--filter-width", "PX", path.filter_width, number(0, 64),
         "The filter's full width in pixels (box 1, gaussian 2, blackman-harris 3)");
     add(app, "--threads", "N", o.threads, integer(0, 1024),
         "Threads; 0: all cores (the default). The picture is the same for any number");
     add_device_flag(app, o.device);
 }
 
-void add_view(CLI::App& app, ViewOptions& v) {
+void add_view(CLI::App& app, ViewSettings& v) {
     CLI::Option* camera = app.add_option(
         "--camera", v.camera,
         "The file's camera of this name or index (0). Without any, the whole scene is framed");
@@ -112,79 +103,79 @@ void add_view(CLI::App& app, ViewOptions& v) {
 }
 
 void add_animation(CLI::App& app, RenderOptions& o) {
-    app.add_option("--animation", o.animation, "The file's animation of this name or index (0)")
+    AnimationSettings& animation = o.settings.animation;
+    app.add_option("--animation", animation.animation,
+                   "The file's animation of this name or index (0)")
         ->type_name("NAME|INDEX");
     CLI::Option* at =
-        add(app, "--at", "SECONDS", o.at, number(-1e9f, 1e9f),
+        add(app, "--at", "SECONDS", animation.at, number(-1e9f, 1e9f),
             "The moment of the animation, which stands still before its first and after its last "
             "key. Without --at and --animation the scene is drawn in its rest pose");
     add(app, "--frames", "A:B", o.frames, parse_frames,
         "Draw a sequence, both ends included: frame n shows n / fps seconds. In the outputs' "
         "names a run of # stands for the frame's number; the number enters the seed")
         ->excludes(at);
-    add(app, "--fps", "N", o.fps, number(0.001f, 1e6f),
+    add(app, "--fps", "N", animation.fps, number(0.001f, 1e6f),
         "Frames per second of a sequence, and of the motion AOV (24)");
 }
 
-void add_light(CLI::App& app, RenderOptions& o) {
-    app.add_option("--env", o.env,
-                   "Equirectangular .hdr or .exr that lights the scene, or none for black. Without "
-                   "it a scene that has no punctual light gets a neutral sky")
+void add_light(CLI::App& app, RenderSettings& s) {
+    LightSettings& light = s.light;
+    const auto environment = [&light](const std::string& text) {
+        light.environment = text.empty()     ? EnvironmentKind::automatic
+                            : text == "none" ? EnvironmentKind::none
+                                             : EnvironmentKind::file;
+        light.environment_file = text;
+    };
+    app.add_option_function<std::string>(
+           "--env", environment,
+           "Equirectangular .hdr or .exr that lights the scene, or none for black. Without it a "
+           "scene that has no punctual light gets a neutral sky")
         ->type_name("FILE|none");
-    add(app, "--env-rotation", "DEGREES", o.env_rotation, number(-36000, 36000),
+    add(app, "--env-rotation", "DEGREES", light.environment_rotation, number(-36000, 36000),
         "Turn the environment about the vertical axis (0)");
-    add(app, "--env-intensity", "X", o.env_intensity, number(0, 1e9f),
+    add(app, "--env-intensity", "X", light.environment_intensity, number(0, 1e9f),
         "Multiply the environment's radiance (1)");
-    const auto background = [&o](const std::string& text) {
-        o.background = kBackgroundEnvironment;
+    const auto background = [&path = s.path](const std::string& text) {
+        path.background = kBackgroundEnvironment;
         if (text == "environment") return;
-        o.background = text == "transparent" ? kBackgroundTransparent : kBackgroundColor;
+        path.background = text == "transparent" ? kBackgroundTransparent : kBackgroundColor;
         if (text == "transparent") return;
         const Parsed<vec3> color = parse_color(text);
         if (!color)
             throw CLI::ValidationError("--background",
                                        color.error() + ", environment or transparent");
-        o.background_color = *color;
+        path.background_color = *color;
     };
     app.add_option_function<std::string>(
            "--background", background,
-           "What stands behind the scene: environment (the default), transparent, or a colour, "
-           "linear R,G,B or sRGB #rrggbb; the environment lights all the same")
+           "What is behind the scene: environment (the default), transparent, or a colour, linear "
+           "R,G,B or sRGB #rrggbb; the environment lights the scene in any case")
         ->type_name("NAME|COLOR");
 }
 
-void add_shading(CLI::App& app, RenderOptions& o) {
-    add(app, "--energy-compensation", "on|off", o.energy_compensation, parse_switch,
+void add_shading(CLI::App& app, RenderSettings& s) {
+    add(app, "--energy-compensation", "on|off", s.path.energy_compensation, one_of(kSwitches),
         "Keep the light that scatters more than once within a rough surface (on). off: glTF's "
-        "Appendix B to the letter, for comparing");
-    add(
-        app, "--diffuse", "NAME", o.diffuse,
-        [](const std::string& text) {
-            return parse_choice<std::uint32_t>(
-                text, {{"lambert", kDiffuseLambert}, {"burley", kDiffuseBurley}});
-        },
+        "Appendix B to the letter, for comparisons");
+    add(app, "--diffuse", "NAME", s.path.diffuse, one_of(kDiffuseModels),
         "lambert (the default) or burley");
-    add_tone_flags(app, o.exposure, o.tone_curve);
+    add_tone_flags(app, s.display.exposure, s.display.tone_curve);
 }
 
-void add_denoising(CLI::App& app, RenderOptions& o) {
-    CLI::Option* denoise = app.add_flag(
-        "--denoise", o.denoise,
-        "Denoise the picture. .exr: it stays as rendered, and the layers denoised, albedo and "
-        "normal are added. .png and .hdr: the denoised picture");
-    add_denoise_device(app, "--denoise-device", o.denoise_device)->needs(denoise);
+void add_denoising(CLI::App& app, DenoiseSettings& denoise) {
+    CLI::Option* flag = app.add_flag(
+        "--denoise", denoise.enabled,
+        "Denoise the picture. .exr: the beauty stays as rendered, and the layers denoised, albedo "
+        "and normal are added. .png and .hdr: the denoised picture");
+    add_denoise_device(app, "--denoise-device", denoise.device)->needs(flag);
 }
 
-void add_checks(CLI::App& app, RenderOptions& o) {
-    add(
-        app, "--strategy", "NAME", o.strategy,
-        [](const std::string& text) {
-            return parse_choice<std::uint32_t>(
-                text, {{"mis", kStrategyMis}, {"light", kStrategyLight}, {"bsdf", kStrategyBsdf}});
-        },
+void add_checks(CLI::App& app, RenderSettings& s) {
+    add(app, "--strategy", "NAME", s.path.strategy, one_of(kStrategies),
         "How light is found: by sampling lights, the BSDF or both (mis, the default). All three "
         "have the same mean");
-    add(app, "--punctual", "on|off", o.punctual, parse_switch,
+    add(app, "--punctual", "on|off", s.light.punctual, one_of(kSwitches),
         "off: as if the file had no punctual lights (on)");
 }
 
@@ -200,7 +191,7 @@ void add_group(CLI::App& app, const std::string& heading, Add add_all, Options& 
 
 }  // namespace
 
-void add_device_flag(CLI::App& app, DeviceFlag& device) {
+void add_device_flag(CLI::App& app, DeviceChoice& device) {
     add(app, "--device", "NAME", device, parse_device,
         "What draws: cpu, vulkan (the best GPU), vulkan:N (the device that `himalaya doctor` lists "
         "as N), or auto (the default): the best GPU, the CPU where there is none");
@@ -210,42 +201,26 @@ void add_render_flags(CLI::App& app, RenderOptions& options) {
     add_group(app, "Files", add_files, options);
     add_group(app, "Scene", add_load_flags, options.load);
     add_group(app, "Sampling", add_sampling, options);
-    add_group(app, "Long renderings", add_keep_flags, options.keep);
+    add_group(app, "Long renderings", add_keep_flags, options);
     app.get_option("--samples")->excludes("--spp")->excludes("--time");
-    add_group(app, "View", add_view, options.view);
+    add_group(app, "View", add_view, options.settings.view);
     add_group(app, "Animation", add_animation, options);
-    add_group(app, "Light", add_light, options);
-    add_group(app, "Look", add_shading, options);
-    add_group(app, "Layers", add_layer_flags, options.layers);
-    add_group(app, "Denoising", add_denoising, options);
-    add_group(app, "For checking the renderer", add_checks, options);
+    add_group(app, "Light", add_light, options.settings);
+    add_group(app, "Look", add_shading, options.settings);
+    add_group(app, "Layers", add_layer_flags, options.settings.layers);
+    add_group(app, "Denoising", add_denoising, options.settings.denoise);
+    add_group(app, "For checking the renderer", add_checks, options.settings);
 }
 
 Result<void> check_render_options(const RenderOptions& o) {
     const auto usage = [](std::string message) {
         return fail(ErrorKind::invalid_argument, "", "", std::move(message));
     };
-    if (o.crop && (o.crop->x1 > o.width || o.crop->y1 > o.height))
-        return usage(
-            fmt::format("--crop: reaches beyond the picture's {} x {} pixels", o.width, o.height));
-    // Sums, the resolved picture and what the formats make of it.
-    constexpr double kBeautyBytes = 80, kGiB = 1024.0 * 1024.0 * 1024.0;
-    const double bytes_per_pixel = kBeautyBytes + layer_bytes_per_pixel(o.layers);
-    const PixelRect crop = o.crop.value_or(PixelRect{0, 0, o.width, o.height});
-    const double need = double(crop.width()) * double(crop.height()) * bytes_per_pixel / kGiB;
-    const double memory =
-        double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE)) / kGiB;
-    if (need > memory)
-        return usage(fmt::format("--size: needs {:.1f} GiB and the machine has {:.1f}; use --crop",
-                                 need, memory));
-    HM_TRY(check_layer_options(o.layers));
-    if (o.filter_width && *o.filter_width <= 0) return usage("--filter-width: must be above 0");
-    if (o.view.up && *o.view.up == vec3(0)) return usage("--up: must have a length");
-    if (o.view.target && *o.view.target == *o.view.eye)
-        return usage("--target: is the same point as --eye");
+    HM_TRY(check_settings(o.settings));
     const bool has_fps = std::any_of(o.given.begin(), o.given.end(),
                                      [](const auto& flag) { return flag.first == "fps"; });
-    if (has_fps && !o.frames && !o.at && o.animation.empty())
+    const AnimationSettings& animation = o.settings.animation;
+    if (has_fps && !o.frames && !animation.at && animation.animation.empty())
         return usage("--fps: needs --frames, --at or --animation");
     for (const std::filesystem::path& path : o.outputs) {
         if (o.frames && !has_frame_pattern(path))

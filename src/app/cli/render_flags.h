@@ -10,9 +10,10 @@ namespace hm::cli {
 // Both must outlive the parsing; flags throw CLI::ParseError.
 void add_render_flags(CLI::App& app, RenderOptions& options);
 
-void add_device_flag(CLI::App& app, DeviceFlag& device);
+void add_device_flag(CLI::App& app, DeviceChoice& device);
 
-// What no single flag can tell. Fails with ErrorKind::invalid_argument or, for outputs, unwritable.
+// Whether the flags fit together. Fails with ErrorKind::invalid_argument or, for outputs,
+// unwritable.
 Result<void> check_render_options(const RenderOptions& options);
 
 }  // namespace hm::cli

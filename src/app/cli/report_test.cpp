@@ -13,7 +13,8 @@ TEST(Report, SettingsCanBeTypedAgain) {
                                "out.exr",  "--aov=albedo", "--light-groups", "--seed=5"};
     const Result<CommandLine> line = parse_command_line(8, arguments);
     ASSERT_TRUE(line) << line.error().line();
-    const Metadata metadata = picture_metadata(*line->render, RenderSummary{});
+    const Metadata metadata = picture_metadata(line->render->settings, RenderSummary{},
+                                               metadata_texts(*line->render, RenderSummary{}));
     const auto settings = std::find_if(metadata.begin(), metadata.end(),
                                        [](const auto& pair) { return pair.first == "settings"; });
     ASSERT_NE(settings, metadata.end());

@@ -2,7 +2,7 @@
 
 #include "app/cli/flag.h"
 #include "app/cli/values.h"
-#include "shading/color.h"
+#include "session/choices.h"
 
 namespace hm::cli {
 
@@ -16,12 +16,7 @@ void add_tone_flags(CLI::App& app, std::optional<float>& exposure, std::uint32_t
         "PNG only: multiply by 2^EV (0). auto: the log-average of what is lit becomes 0.18");
     add(
         app, "--tonemap", "NAME", curve,
-        [](const std::string& text) {
-            return parse_choice<std::uint32_t>(text, {{"neutral", kToneNeutral},
-                                                      {"aces", kToneAces},
-                                                      {"agx", kToneAgx},
-                                                      {"linear", kToneLinear}});
-        },
+        [](const std::string& text) { return parse_choice(text, kToneCurves); },
         "PNG only: neutral (Khronos PBR Neutral, the default), aces, agx or linear");
 }
 

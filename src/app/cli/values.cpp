@@ -105,4 +105,16 @@ Parsed<vec3> parse_color(std::string_view text) {
     return vec3(c[0], c[1], c[2]);
 }
 
+Parsed<DeviceChoice> parse_device(std::string_view text) {
+    if (text == "auto") return DeviceChoice{DeviceChoice::Kind::automatic, {}};
+    if (text == "cpu") return DeviceChoice{DeviceChoice::Kind::cpu, {}};
+    if (text == "vulkan") return DeviceChoice{DeviceChoice::Kind::vulkan, {}};
+    constexpr std::string_view kIndexed = "vulkan:";
+    if (text.starts_with(kIndexed)) {
+        const Parsed<std::uint32_t> index = parse_integer(text.substr(kIndexed.size()), 0, 9999);
+        if (index) return DeviceChoice{DeviceChoice::Kind::vulkan, *index};
+    }
+    return tl::unexpected(fmt::format("\"{}\" is none of auto, cpu, vulkan, vulkan:N", text));
+}
+
 }  // namespace hm::cli

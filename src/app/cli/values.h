@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
-#include <utility>
 
+#include "base/choice.h"
 #include "film/film.h"
+#include "session/settings.h"
 #include "shading/lang.h"
 
 namespace hm::cli {
@@ -30,16 +30,15 @@ Parsed<vec3> parse_vector(std::string_view text);     // "X,Y,Z"
 // Linear "R,G,B", not negative, or "#rrggbb" in sRGB.
 Parsed<vec3> parse_color(std::string_view text);
 
-// One of a few words.
-template <class T>
-Parsed<T> parse_choice(std::string_view text,
-                       std::initializer_list<std::pair<std::string_view, T>> choices) {
-    std::string known;
-    for (const auto& [name, value] : choices) {
-        if (text == name) return value;
-        known += (known.empty() ? "" : ", ") + std::string(name);
-    }
-    return tl::unexpected("\"" + std::string(text) + "\" is none of " + known);
+// "auto", "cpu", "vulkan" or "vulkan:N".
+Parsed<DeviceChoice> parse_device(std::string_view text);
+
+// One of the names in a table.
+template <class T, std::size_t N>
+Parsed<T> parse_choice(std::string_view text, const Choice<T> (&choices)[N]) {
+    for (const Choice<T>& choice : choices)
+        if (text == choice.name) return choice.value;
+    return tl::unexpected("\"" + std::string(text) + "\" is none of " + names_of(choices));
 }
 
 }  // namespace hm::cli

@@ -100,6 +100,7 @@ Machine examine_machine() {
     m.nodes = examine_nodes();
     m.nvidia = examine_nvidia(process_environment,
                               std::any_of(m.manifests.begin(), m.manifests.end(), is_nvidia));
+    add_hidden_drivers();
     Result<std::vector<VulkanDevice>> devices = list_vulkan_devices();
     if (devices)
         m.devices = std::move(*devices);

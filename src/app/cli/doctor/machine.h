@@ -8,8 +8,8 @@
 
 #include "app/cli/doctor/nvidia.h"
 #include "app/cli/drivers.h"
-#include "app/cli/vulkan_devices.h"
 #include "base/machine.h"
+#include "session/vulkan_devices.h"
 
 namespace hm::cli {
 

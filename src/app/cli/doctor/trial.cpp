@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/cli/demo.h"
-#include "app/cli/prepared_scene.h"
-#include "app/cli/progress.h"
 #include "base/check.h"
+#include "base/clock.h"
+#include "session/prepared_scene.h"
 #include "shading/color.h"
 #include "shading/math.h"
 
@@ -34,20 +34,19 @@ bool is_close(vec3 a, vec3 b) {
 
 Result<std::unique_ptr<PreparedScene>> load_trial_scene() {
     HM_TRY_ASSIGN(const Demo demo, find_demo("cornell"));
-    RenderOptions options;
-    options.scene_file = demo.scene;
-    options.env = "none";
-    options.width = options.height = kTrialSize;
+    RenderSettings settings;
+    settings.light.environment = EnvironmentKind::none;
+    settings.frame.width = settings.frame.height = kTrialSize;
     Diagnostics diagnostics;
-    return prepare_scene(options, diagnostics);
+    return prepare_scene(demo.scene, {}, settings, diagnostics);
 }
 
 Result<void> draw(const Contender& contender, const PreparedScene& scene, Film& film,
                   Trial& trial) {
     Clock::time_point start = Clock::now();
-    HM_TRY_ASSIGN(const std::unique_ptr<Device> device, contender.open());
-    HM_TRY_ASSIGN(const std::unique_ptr<Renderer> renderer, device->load(scene.flat));
-    HM_TRY(renderer->begin(scene.job, film));
+    HM_TRY_ASSIGN(const std::unique_ptr<RenderDevice> device, contender.open());
+    HM_TRY_ASSIGN(const std::unique_ptr<Renderer> renderer, device->load(scene.setup.flat));
+    HM_TRY(renderer->begin(scene.setup.job, film));
     trial.prepare_seconds = seconds_since(start);
     RenderCounters counters;
     const std::atomic<bool> cancel{false};

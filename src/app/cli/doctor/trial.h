@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/devices.h"
 #include "film/film.h"
+#include "session/devices.h"
 
 namespace hm::cli {
 
@@ -38,7 +38,7 @@ struct Trial {
 
 struct Contender {
     std::string name;
-    std::function<Result<std::unique_ptr<Device>>()> open;
+    std::function<Result<std::unique_ptr<RenderDevice>>()> open;
 };
 
 inline constexpr std::uint32_t kTrialSize = 64, kTrialSamples = 16;

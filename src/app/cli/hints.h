@@ -1,0 +1,17 @@
+// Errors in the words of the command line: which flag is at fault, or which one would help.
+#pragma once
+
+#include "base/result.h"
+
+namespace hm::cli {
+
+// The error with its setting (Error::setting) named as a flag in the message.
+Error with_hint(Error error);
+
+template <class T>
+Result<T> with_hint(Result<T> result) {
+    if (!result) return tl::unexpected(with_hint(std::move(result.error())));
+    return result;
+}
+
+}  // namespace hm::cli
