@@ -1,14 +1,9 @@
 #include "base/check.h"
 
-#include <cstdio>
-#include <cstdlib>
-
 namespace hm {
 
 void check_failed(const char* file, int line, const char* condition, std::string_view values) {
-    fmt::print(stderr, "{}:{}: check failed: {} ({})\n", file, line, condition, values);
-    std::fflush(stderr);
-    std::abort();
+    throw CheckFailure(fmt::format("{}:{}: check failed: {} ({})", file, line, condition, values));
 }
 
 }  // namespace hm

@@ -1,14 +1,26 @@
-// HM_CHECK: a bug stops the program with the condition, the place and the values that broke it.
+// HM_CHECK: a bug becomes an exception with the condition, its location in the source and the
+// values that broke it.
 #pragma once
 
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <string_view>
 
 namespace hm {
+
+// Not to be handled where it might have been thrown: front ends report it and give up the
+// operation.
+class CheckFailure : public std::logic_error {
+  public:
+    using std::logic_error::logic_error;
+};
+
+// Throws CheckFailure.
 [[noreturn]] void check_failed(const char* file, int line, const char* condition,
                                std::string_view values);
-}
+
+}  // namespace hm
 
 // HM_CHECK(i < n, "i = {}, n = {}", i, n)
 #define HM_CHECK(condition, ...)                                                            \

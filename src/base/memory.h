@@ -1,5 +1,4 @@
-// Where the program's memory lies. On Linux every `new` of at least a huge page, and so every large
-// std::vector, begins where a huge page may.
+// Byte arrays without initialisation.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +7,6 @@
 #include <vector>
 
 namespace hm {
-
-inline constexpr std::size_t kHugePage = std::size_t(1) << 21;
 
 // For bytes that are all written before any is read: what resize() adds is left unset.
 struct UnsetBytes : std::allocator<std::byte> {

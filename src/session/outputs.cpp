@@ -23,12 +23,14 @@ Result<void> write_outputs(std::span<const std::filesystem::path> outputs,
         Result<void> written = is_part ? write_part(path, frame, film, record) : Result<void>();
         if (!written && outcome) outcome = std::move(written);
     }
-    const Result<PicturesReport> written =
-        write_pictures(pictures, film, frame.width, frame.height, record, denoiser);
-    if (!written) return outcome ? tl::unexpected(written.error()) : outcome;
+    if (pictures.empty()) return outcome;
+    const FinishedPicture finished =
+        finish_picture(film, frame.width, frame.height, record, denoiser);
+    Result<void> written = write_pictures(pictures, finished);
+    if (!written && outcome) outcome = std::move(written);
     if (denoiser != nullptr) summary.denoiser = denoiser->description();
-    summary.times.denoise = written->denoise_seconds;
-    summary.replaced_pixels = written->replaced_pixels;
+    summary.times.denoise = finished.denoise_seconds;
+    summary.replaced_pixels = finished.replaced_pixels;
     return outcome;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <thread>
 
@@ -38,7 +39,11 @@ class Watcher {
 
     const std::atomic<bool>& cancel() const { return cancel_; }
     double seconds() const { return plan_.seconds_before + seconds_since(start_); }
-    bool stopped() const { return hooks_.stop(); }
+    bool stopped() const { return threw_ || hooks_.stop(); }
+    // What a hook threw on the watching thread.
+    void rethrow() const {
+        if (threw_) std::rethrow_exception(thrown_);
+    }
     bool timed_out() const { return may_time_out_ && plan_.time && seconds() >= *plan_.time; }
     bool keep_due() const { return plan_.keep_every && seconds() >= kept_at_ + *plan_.keep_every; }
 
@@ -55,7 +60,13 @@ class Watcher {
         std::unique_lock lock(mutex_);
         while (!wake_.wait_for(lock, next_wait(), [this] { return done_; })) {
             if (timed_out() || keep_due()) cancel_ = true;
-            hooks_.watch(state());
+            try {
+                hooks_.watch(state());
+            } catch (...) {
+                thrown_ = std::current_exception();
+                threw_ = true;
+                return;
+            }
         }
     }
 
@@ -89,6 +100,8 @@ class Watcher {
     std::atomic<double> kept_at_;  // in seconds()
     std::atomic<bool> cancel_ = false;
     std::atomic<bool> may_time_out_ = false;
+    std::exception_ptr thrown_;  // set before threw_
+    std::atomic<bool> threw_ = false;
     std::mutex mutex_;
     std::condition_variable wake_;
     bool done_ = false;
@@ -177,6 +190,7 @@ Result<PassResult> render_passes(Renderer& renderer, const RenderJob& job, Film&
     Synced synced(renderer, counters);
     Watcher watcher(plan, hooks, counters, film);
     const Result<void> drawn = draw_passes(renderer, film, counters, plan, watcher, synced);
+    watcher.rethrow();
     if (drawn) return PassResult{watcher.seconds(), watcher.stopped() && reached(film) < plan.end};
     synced.restore();
     if (film.mean_samples() == held) return tl::unexpected(drawn.error());

@@ -30,7 +30,7 @@ struct PassPlan {
 struct PassHooks {
     // Whether to stop after this pass.
     std::function<bool()> stop;
-    // A few times a second, from another thread.
+    // A few times a second, from another thread. An exception ends the pass and is passed on.
     std::function<void(const ProgressState&)> watch;
     // Every `keep_every` seconds, with the film up to date; rendering waits for it.
     std::function<void(const RenderCounters&, double seconds)> keep{};

@@ -7,20 +7,29 @@
 
 #include "film/denoise.h"
 #include "film/film.h"
+#include "film/write.h"
 #include "session/film_record.h"
 
 namespace hm {
 
-struct PicturesReport {
+// A picture with its layers, ready to be written.
+struct FinishedPicture {
+    Image picture;  // denoised if that was asked for, else the beauty
+    LayeredImage layers;
+    PictureOptions options;
     double denoise_seconds = 0;
     std::uint64_t replaced_pixels = 0;  // not finite, replaced by the denoiser
+    Result<void> denoised{};            // if it failed, `picture` is the rendered one
 };
 
+// Width and height are the whole picture's. `denoiser` may be null; with one the layers get
+// "denoised".
+FinishedPicture finish_picture(const Film& film, std::uint32_t width, std::uint32_t height,
+                               const FilmRecord& record, const Denoiser* denoiser = nullptr);
+
 // Tries all of them, so that one full disk does not cost every picture, and returns the first
-// error. Width and height are the whole picture's. With a denoiser, .exr files get another layer
-// and other files the denoised picture; if it fails, the rendered one is written nevertheless.
-Result<PicturesReport> write_pictures(const std::vector<std::filesystem::path>& paths,
-                                      const Film& film, std::uint32_t width, std::uint32_t height,
-                                      const FilmRecord& record, const Denoiser* denoiser = nullptr);
+// error, which may be the denoiser's.
+Result<void> write_pictures(const std::vector<std::filesystem::path>& paths,
+                            const FinishedPicture& finished);
 
 }  // namespace hm

@@ -32,7 +32,7 @@ Result<Round> draw(Renderer& renderer, std::uint32_t begin, std::uint32_t end) {
                  renderer.report().trace_seconds - before};
 }
 
-// Rounds of as many samples as fill a second; the fastest counts. What comes before warms up.
+// Rounds of about a second each, after a warm-up; the fastest counts.
 Result<SceneRates> measure(RenderDevice& device, const PreparedScene& scene, std::uint32_t width,
                            std::uint32_t height) {
     HM_TRY_ASSIGN(const std::unique_ptr<Renderer> renderer, device.load(scene.setup.flat));
@@ -58,7 +58,7 @@ Result<SceneRates> measure(RenderDevice& device, const PreparedScene& scene, std
     return rates;
 }
 
-// auto takes a GPU if there is one. Nothing is replaced later: that would measure another device.
+// auto takes a GPU if there is one. No fallback later: that would measure another device.
 Result<std::unique_ptr<RenderDevice>> open_device(const DeviceChoice& wanted,
                                                   Diagnostics& diagnostics) {
     if (wanted.kind == DeviceChoice::Kind::cpu) return cpu_device(0);

@@ -1,4 +1,4 @@
-// `himalaya bench`: how fast a device draws scenes, as JSON.
+// `himalaya bench`: how fast a device renders scenes, as JSON.
 #pragma once
 
 #include "app/cli/exit_code.h"

@@ -7,7 +7,7 @@ double per_second(double count, double seconds) {
     return seconds > 0 ? count / seconds : 0;
 }
 
-// One sample with hits sorted before they are shaded; null where the device has no such thing.
+// One sample with hits reordered before shading; null if the device does not support it.
 void write_reordered(JsonWriter& json, const TracedRates& traced) {
     json.key("reordered");
     if (!traced.reordered) {
@@ -21,7 +21,7 @@ void write_reordered(JsonWriter& json, const TracedRates& traced) {
     json.field("speedup", t.path_ms > 0 ? traced.rates.path_ms / t.path_ms : 0).end_object();
 }
 
-// Of one sample, all by the device's clock, so that the two sides are of one kind.
+// Of one sample, all by the device's clock, so that both are comparable.
 void write_traced(JsonWriter& json, const TraceRates& t) {
     const double rays = double(t.rays()), closest = double(t.closest_rays);
     const auto rate = [](double count, double ms) { return per_second(count, ms * 1e-3); };

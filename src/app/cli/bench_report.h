@@ -1,4 +1,4 @@
-// What `himalaya bench` measures of a scene, and says of it.
+// The measurements of `himalaya bench` for one scene, and their report.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace hm::cli {
 
-// A stretch of drawing.
+// One timed round of rendering.
 struct Round {
     std::uint64_t samples = 0, rays = 0;
     double seconds = 0;         // wall clock
@@ -24,7 +24,7 @@ struct SceneRates {
     std::optional<TracedRates> traced;
 };
 
-// An object of docs/devices.md's fields.
+// Writes an object with the fields that docs/devices.md lists.
 void write_scene(JsonWriter& json, const std::string& name, const SceneRates& rates);
 
 }  // namespace hm::cli

@@ -26,7 +26,7 @@ std::string size_of(const LayeredImage& p) {
                        w.x0 != 0 || w.y0 != 0 ? fmt::format(" from {},{} on", w.x0, w.y0) : "");
 }
 
-// What makes two pictures incomparable as a whole.
+// Whether the pictures can be compared at all.
 Result<void> check_pair(const CompareOptions& options, const PictureFile& a, const PictureFile& b) {
     const auto refuse = [&](std::string why) {
         return fail(ErrorKind::invalid, options.test.string(), "", std::move(why));
@@ -105,7 +105,7 @@ Result<Pairs> choose_layers(const CompareOptions& options, const LayeredImage& a
 void check_limits(const CompareOptions& options, const LayerError& e,
                   std::vector<std::string>& exceeded) {
     const auto limit = [&](const char* what, double value, const std::optional<float>& most) {
-        // Not a number is not below any limit.
+        // NaN is not below any limit.
         if (most && !(value <= double(*most)))
             exceeded.push_back(
                 fmt::format("{}: {} is {:.6g}, above {:g}", e.name, what, value, *most));
@@ -117,7 +117,7 @@ void check_limits(const CompareOptions& options, const LayerError& e,
     if (any && e.not_finite_test + e.not_finite_reference > 0)
         exceeded.push_back(e.name + ": there are pixels that are not finite");
     if (options.z_test && e.z_test && !e.z_test->agree())
-        exceeded.push_back(e.name + ": the z-test says that they differ");
+        exceeded.push_back(e.name + ": the z-test finds a difference");
 }
 
 Result<void> check_z_test(const CompareOptions& options, const PictureFile& a,
@@ -131,9 +131,11 @@ Result<void> check_z_test(const CompareOptions& options, const PictureFile& a,
 Result<void> write_error_picture(const std::filesystem::path& path, const LayerError& layer) {
     const Plane& error = layer.picture;
     if (error.values.empty())
-        return fail(ErrorKind::invalid_argument, "", "",
-                    fmt::format("--error: FLIP is of colours, which {} has not; use rmse or relmse",
-                                layer.name));
+        return fail(
+            ErrorKind::invalid_argument, "", "",
+            fmt::format(
+                "--error: FLIP compares colours, which {} does not have; use rmse or relmse",
+                layer.name));
     if (picture_kind(path) == PictureKind::png) return write_png(path, magma(error), false, {});
     return write_exr(path, grey(error), false, {});
 }
@@ -164,15 +166,16 @@ void add_compare_flags(CLI::App& app, CompareOptions& o) {
         "What that picture shows: flip (the default), rmse or relmse")
         ->needs(picture);
     const auto limit = [](const std::string& text) { return parse_number(text, 0, 1e30f); };
-    add(app, "--max-rmse", "X", o.max_rmse, limit, "Fail where a layer's RMSE is above this");
-    add(app, "--max-relmse", "X", o.max_relmse, limit, "Fail where a layer's relMSE is above this");
-    add(app, "--max-flip", "X", o.max_flip, limit, "Fail where a layer's mean FLIP is above this");
+    add(app, "--max-rmse", "X", o.max_rmse, limit, "Fail if a layer's RMSE is above this");
+    add(app, "--max-relmse", "X", o.max_relmse, limit, "Fail if a layer's relMSE is above this");
+    add(app, "--max-flip", "X", o.max_flip, limit, "Fail if a layer's mean FLIP is above this");
     app.add_flag("--z-test", o.z_test,
-                 "Fail where the beauties differ by more than their variance layers explain");
+                 "Fail if the beauties differ by more than their variance layers explain");
     app.add_flag("--json", o.json, "Print JSON instead of text");
     app.footer(
-        "The exit code is 0; 11 where a limit is exceeded, a value is not finite while there is a "
-        "limit, or, with --layer all, a layer is missing; 4 where the two can't be compared.");
+        "The exit code is 0; 11 if a limit is exceeded, if a value is NaN or infinite and there is "
+        "a "
+        "limit, or if a layer is missing with --layer all; 4 if the two can't be compared.");
 }
 
 Result<ExitCode> compare(const CompareOptions& options) {

@@ -1,4 +1,4 @@
-// `himalaya compare`: how far one picture is from another, for people and for scripts.
+// `himalaya compare`: the distance between two pictures, as text or as JSON.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -22,10 +22,10 @@ struct CompareOptions {
     bool json = false;
 };
 
-// Must outlive the parsing; flags throw CLI::ParseError.
+// `options` must outlive the parsing; invalid flags throw CLI::ParseError.
 void add_compare_flags(CLI::App& app, CompareOptions& options);
 
-// ok, `different` where a limit is exceeded, or why the two can't be compared.
+// ok, `different` if a limit is exceeded, or the reason why the two can't be compared.
 Result<ExitCode> compare(const CompareOptions& options);
 
 }  // namespace hm::cli

@@ -1,4 +1,4 @@
-// What `himalaya compare` found, as text and as JSON.
+// The results of `himalaya compare`, as text and as JSON.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The scenes that come with the program, demo:NAME.
+// The scenes shipped with the program, demo:NAME.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +15,12 @@ inline constexpr std::string_view kDemoPrefix = "demo:";
 
 struct Demo {
     std::filesystem::path scene;
-    // Flags without dashes and their values, from NAME.json; `env` is made a path from here.
+    // Flags without dashes and their values, from NAME.json; `env` is resolved to a path.
     std::vector<std::pair<std::string, std::string>> flags;
 };
 
-// Looks in the folder that the variable HIMALAYA_SCENES names, in ../share/himalaya/scenes from the
-// program, then in the source tree it was built from. An unknown name fails with the known ones.
+// Searches the folder named by the variable HIMALAYA_SCENES, ../share/himalaya/scenes relative to
+// the program, then the source tree it was built from. For an unknown name the error lists all.
 Result<Demo> find_demo(std::string_view name);
 
 // A flat JSON object of strings; `file` is for messages.

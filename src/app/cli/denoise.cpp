@@ -23,7 +23,7 @@ Result<void> write_one(const std::filesystem::path& path, const DenoiseOptions& 
                        const LayeredImage& picture, const Image& denoised) {
     const PictureWindow& data = picture.data;
     const float exposure = options.exposure ? *options.exposure : auto_exposure(denoised);
-    // Dither follows the whole picture, whose pixels may have begun at a negative number.
+    // Dither follows the whole picture, whose pixels may start at a negative number.
     const auto x = std::uint32_t(std::max(data.x0 - picture.display.x0, 0));
     const auto y = std::uint32_t(std::max(data.y0 - picture.display.y0, 0));
     return write_picture(path, denoised, picture,

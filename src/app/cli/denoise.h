@@ -1,5 +1,4 @@
-// `himalaya denoise`: takes the noise out of a picture that was rendered before, guided by the
-// layers in its file.
+// `himalaya denoise`: denoises a picture rendered before, guided by the layers in its file.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -27,9 +26,9 @@ struct DenoiseOptions {
     bool json = false;
 };
 
-// Both must outlive the parsing; flags throw CLI::ParseError.
+// `options` must outlive the parsing; invalid flags throw CLI::ParseError.
 void add_denoise_flags(CLI::App& app, DenoiseOptions& options);
-// --denoise-device of `render`, --device here.
+// --denoise-device of `render`, --device of `denoise`.
 CLI::Option* add_denoise_device(CLI::App& app, const std::string& flag, DenoiseDevice& device);
 
 Result<ExitCode> denoise(const DenoiseOptions& options);

@@ -54,7 +54,7 @@ std::vector<std::string> searched_folders(const Environment& environment) {
     return folders;
 }
 
-// Of a manifest only this is of interest, and its writers are few.
+// The only value of interest in a manifest.
 std::string library_of(const fs::path& manifest) {
     std::ifstream file(manifest);
     const std::string text(std::istreambuf_iterator<char>(file), {});
@@ -82,7 +82,7 @@ void add_folder(const fs::path& folder, bool is_searched, std::vector<DriverMani
         add_file(file, is_searched, manifests);
 }
 
-// The user's own list, which may name files and folders; nothing where there is none.
+// The user's own list of files and folders; empty if there is none.
 std::vector<std::string> chosen_drivers(const Environment& environment) {
     const std::string files = environment("VK_DRIVER_FILES");
     return split(files.empty() ? environment("VK_ICD_FILENAMES") : files);

@@ -1,4 +1,4 @@
-// A flag with a value of its own kind.
+// A flag with a typed value.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// Frame ranges, file names and what one frame of a sequence is drawn with.
+// Frame ranges, file names and the options of one frame of a sequence.
 #include "app/cli/frames.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The look of --help: one column of flags, one of text, wrapped for narrow terminals.
+// Layout of --help: a column of flags and a column of text, wrapped for narrow terminals.
 #pragma once
 
 #include <CLI/Formatter.hpp>

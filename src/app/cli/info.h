@@ -1,4 +1,4 @@
-// `himalaya info`: what is in a scene file, and what of it this program draws.
+// `himalaya info`: the contents of a scene file, and which of them are supported.
 #pragma once
 
 #include "app/cli/exit_code.h"
@@ -6,8 +6,8 @@
 
 namespace hm::cli {
 
-// ok, warned where something was warned of, or the error with which the file would not render.
-// What is known of a refused file is printed all the same.
+// ok, warned if there were warnings, or the error that would prevent rendering. What is known about
+// a refused file is printed nevertheless.
 Result<ExitCode> info(const InfoOptions& options);
 
 }  // namespace hm::cli

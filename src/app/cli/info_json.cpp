@@ -1,4 +1,4 @@
-// The report for programs; docs/info-schema.md and docs/info.schema.json describe it.
+// The report as JSON; docs/info-schema.md and docs/info.schema.json describe it.
 #include <algorithm>
 
 #include "app/cli/info_report.h"
@@ -7,7 +7,7 @@
 namespace hm::cli {
 namespace {
 
-// Raised when a field changes its meaning or goes; new fields leave it.
+// Incremented when a field changes its meaning or is removed; not for new fields.
 constexpr std::uint32_t kSchema = 1;
 
 void write_index(JsonWriter& json, std::string_view key, int index) {

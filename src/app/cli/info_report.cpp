@@ -9,7 +9,7 @@
 namespace hm::cli {
 namespace {
 
-// The scene that was loaded in place of the file's own: a name goes before an index.
+// The scene that was loaded instead of the file's default: a name wins over an index.
 std::size_t find_scene(const std::vector<std::string>& names, const std::string& wanted) {
     const auto named = std::find(names.begin(), names.end(), wanted);
     if (named != names.end()) return std::size_t(named - names.begin());

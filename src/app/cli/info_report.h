@@ -1,4 +1,4 @@
-// What `himalaya info` tells, and its two ways of writing it.
+// The report of `himalaya info`, written as text or as JSON.
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@ struct InfoReport {
     std::optional<Error> error;
 };
 
-// Reads the file as rendering would. A file that would be refused is no error here.
+// Reads the file as for rendering. A file that would be refused is reported, not an error here.
 InfoReport examine(const InfoOptions& options);
 
-// Of the scene that is drawn, not of all that the file holds.
+// Of the chosen scene, not of everything in the file.
 struct InfoTotals {
     std::uint64_t primitives = 0, vertices = 0, morph_targets = 0;
     std::uint64_t triangles = 0;        // each mesh once
@@ -41,14 +41,14 @@ InfoTotals totals(const InfoReport& report);
 // How many instances show each mesh.
 std::vector<std::uint64_t> mesh_uses(const InfoReport& report);
 
-// The slots of a material that hold a texture, by their names in glTF.
+// The slots of a material that have a texture, by their names in glTF.
 struct NamedSlot {
     std::string_view role;
     const TextureSlot* slot;
 };
 std::vector<NamedSlot> used_slots(const Material& material);
 
-// What each image is read as, without repetition, in the order of the slots.
+// The slots that use each image, without repetition, in the order of the slots.
 std::vector<std::vector<std::string_view>> image_roles(const Scene& scene);
 
 std::uint64_t triangle_count(const Mesh& mesh);
@@ -63,7 +63,7 @@ std::string_view alpha_mode_name(std::uint32_t mode);
 std::string_view light_kind_name(std::uint32_t kind);
 std::string_view format_name(PixelFormat format);
 
-// Ends with a line feed; no control character of the file's is left as it was.
+// Ends with a line feed; control characters from the file are escaped.
 std::string info_text(const InfoReport& report);
 // docs/info-schema.md describes it.
 std::string info_json(const InfoReport& report);

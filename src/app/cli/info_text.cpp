@@ -1,5 +1,5 @@
-// The report for people. Every line goes through printable(), so a name can neither colour the
-// terminal nor pretend to be another line.
+// The report as text. Every line goes through printable(), so that names can't contain escape
+// sequences or line breaks.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -42,7 +42,7 @@ std::string plural(std::uint64_t count, std::string_view what) {
     return plural_of(count, what, fmt::format("{}s", what));
 }
 
-// Lines of text, of which a section shows the first ones.
+// The lines of a section, of which only the first ones are shown.
 class Lines {
   public:
     void line(std::string_view text) { text_ += printable(text) + "\n"; }

@@ -13,8 +13,7 @@ namespace {
 std::atomic<bool> asked = false;
 static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler may not touch it
 
-// Files are written under temporary names, so ending here leaves none of the wanted names half
-// written.
+// Files are written under temporary names, so exiting here leaves no incomplete output.
 void on_signal(int) {
     if (asked.exchange(true)) ::_exit(int(ExitCode::interrupted));
 }
@@ -28,7 +27,7 @@ void catch_interrupts() {
     action.sa_flags = SA_RESTART;
     ::sigaction(SIGINT, &action, nullptr);
     ::sigaction(SIGTERM, &action, nullptr);
-    // A terminal that closes; nohup and the like have it ignored, and then it stays so.
+    // A terminal that closes. nohup and the like ignore it, and then it stays ignored.
     struct sigaction hangup {};
     ::sigaction(SIGHUP, nullptr, &hangup);
     if (hangup.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);

@@ -33,21 +33,22 @@ Parsed<std::filesystem::path> parse_path(const std::string& text) {
 void add_keep_flags(CLI::App& app, RenderOptions& options) {
     KeepSettings& o = options.keep;
     add(app, "--checkpoint", "FILE", o.checkpoint, parse_path,
-        "Keep all samples in this file, an OpenEXR of sums, while rendering and at its end. An "
-        "existing one is not replaced but by --resume");
+        "Keep all samples in this file, an OpenEXR of sums, while rendering and at the end. An "
+        "existing file is replaced only by --resume");
     add(
         app, "--every", "SECONDS", o.every,
         [](const std::string& text) { return parse_number(text, 0.01f, 1e9f); },
         "How often the checkpoint is written (60)");
     add(app, "--resume", "FILE", o.resume, parse_path,
-        "Go on with this checkpoint, with the same flags, and keep writing it: to the same pixels "
-        "as without the interruption, to more samples with a larger --spp, or in a sequence from "
-        "the frame that was being drawn. With --checkpoint of the same name it may be missing at "
-        "first");
-    app.add_flag("--any-device", o.any_device, "Let --resume go on with what another device drew");
+        "Continue this checkpoint with the same flags, and keep writing it: to the same pixels as "
+        "without the interruption, to more samples with a larger --spp, or in a sequence from the "
+        "frame that was being rendered. With --checkpoint of the same name it need not exist yet");
+    app.add_flag("--any-device", o.any_device,
+                 "Let --resume continue what another device rendered");
     add(app, "--samples", "A:B", options.settings.sampling.range, parse_samples,
-        "Draw this range of the samples only, from 0, B excluded. An .exr is then a part: sums "
-        "that himalaya merge joins with others");
+        "Render only this range of the samples, counted from 0, B excluded. An .exr is then a "
+        "part: "
+        "sums that himalaya merge joins with others");
 }
 
 Result<void> check_keep_options(const RenderOptions& options) {

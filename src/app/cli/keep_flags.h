@@ -1,4 +1,4 @@
-// The flags for renderings that are kept, gone on with, and drawn in parts.
+// The flags for checkpoints, resuming and rendering in parts.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,8 @@ namespace hm::cli {
 
 void add_keep_flags(CLI::App& app, RenderOptions& options);
 
-// Fails where the flags do not fit together, or a checkpoint would be lost or can't be written.
+// Fails if the flags contradict each other, or a checkpoint would be overwritten or can't be
+// written.
 Result<void> check_keep_options(const RenderOptions& options);
 
 }  // namespace hm::cli

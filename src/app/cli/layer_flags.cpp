@@ -18,21 +18,22 @@ void add_layer_flags(CLI::App& app, LayerSettings& o) {
         names += std::string(names.empty() ? "" : ", ") + std::string(info.name);
     add(app, "--aov", "NAMES|all", o.aovs, parse_aovs,
         "Layers of .exr files beside the beauty, separated by commas: " + names +
-            ". all leaves out variance, which alone makes the beauty noisier: all,variance");
+            ". all leaves out variance, which makes the beauty noisier: add it as all,variance");
     app.add_flag("--light-groups", o.light_groups,
-                 "The beauty once more for each light, each emissive material and the environment "
-                 "alone, as --aov light_groups");
+                 "The beauty split by light, emissive material and environment, as --aov "
+                 "light_groups");
     add(
         app, "--exr-compression", "NAME", o.exr.compression,
         [](const std::string& text) { return parse_choice(text, kExrCompressions); },
-        "none, rle, zips, zip (the default), piz, or with loss pxr24, b44, b44a, dwaa, dwab");
+        "none, rle, zips, zip (the default), piz, or lossy pxr24, b44, b44a, dwaa, dwab");
     add(app, "--exr-half", "NAMES|all", o.half, parse_half,
-        "Store these layers in 16 bits: beauty, names of AOVs, or all that it suits. Others are 32 "
+        "Store these layers in 16 bits: beauty, names of AOVs, or all that allow it. Others have "
+        "32 "
         "bits");
     add(
         app, "--exr-tiles", "SIDE", o.exr.tile,
         [](const std::string& text) { return parse_integer(text, kMinTile, kMaxTile); },
-        "Store square tiles of so many pixels instead of scan lines");
+        "Store square tiles of this many pixels instead of scan lines");
 }
 
 }  // namespace hm::cli

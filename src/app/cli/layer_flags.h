@@ -1,4 +1,4 @@
-// The flags that say what a picture carries beside the beauty, and how OpenEXR files store it.
+// The flags for AOVs and other layers, and for how OpenEXR files store them.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -23,9 +23,9 @@ Parsed<std::uint64_t> parse_bytes(std::string_view text) {
 
 void add_load_flags(CLI::App& app, LoadOptions& options) {
     app.add_option("--scene", options.scene,
-                   "The file's scene of this name or index (the one that the file names)")
+                   "The file's scene of this name or index (the file's default)")
         ->type_name("NAME|INDEX");
-    app.add_option("--variant", options.variant, "Draw this material variant of the file (none)")
+    app.add_option("--variant", options.variant, "Use this material variant of the file (none)")
         ->type_name("NAME");
     const auto limit = [&options](const std::string& text) {
         const Parsed<std::uint64_t> bytes = parse_bytes(text);
@@ -38,8 +38,8 @@ void add_load_flags(CLI::App& app, LoadOptions& options) {
            "quarters of the machine's memory, 16G at most)")
         ->type_name("SIZE");
     app.add_flag("--allow-external", options.allow_external,
-                 "Read buffers and images from anywhere on this machine, not only below the "
-                 "file's folder. Never give it with a file from someone else");
+                 "Read buffers and images from anywhere on this machine, not only below the file's "
+                 "folder. Never use it with a file from someone else");
 }
 
 }  // namespace hm::cli

@@ -1,5 +1,4 @@
-// The flags that choose what is read of a scene file, and how much of it: the same for every
-// command that reads one.
+// The flags for reading a scene file, shared by all commands that read one.
 #pragma once
 
 #include "app/cli/values.h"

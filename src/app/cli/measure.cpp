@@ -23,7 +23,7 @@ bool is_color(const Layer& layer) {
     return layer.find("R") && layer.find("G") && layer.find("B");
 }
 
-// What counts: R, G and B where they are, else all.
+// The channels that count: R, G and B if they exist, else all.
 Channels channels_of(const LayerPair& pair) {
     Channels channels;
     const bool color = is_color(pair.reference);
@@ -59,7 +59,7 @@ ImageError stored_error(const Channels& channels, const Mask& finite) {
     return a.empty() ? ImageError{} : compare_values(a, b);
 }
 
-// Black where a picture is broken, so that filters have something to work on.
+// Black in place of NaN and infinity, so that filters work.
 Image color_image(const LayeredImage& file, const Layer& layer, const Mask& finite) {
     Image image = layer_image(file, layer);
     for (std::size_t i = 0; i < finite.size(); ++i)

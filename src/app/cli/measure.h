@@ -1,4 +1,4 @@
-// The distance between two layers, by every measure that makes sense for them.
+// The distance between two layers, by every applicable metric.
 #pragma once
 
 #include <cstdint>
@@ -29,15 +29,15 @@ struct LayerPair {
 
 struct LayerError {
     std::string name;  // as --layer has it; "beauty" for the picture proper
-    // Pixels with a value that is not finite; they count in no number below.
+    // Pixels with a NaN or infinite value, which the metrics below leave out.
     std::uint64_t not_finite_test = 0, not_finite_reference = 0;
 
     ImageError
         stored;  // over the values as the files have them; alpha only where there is no R, G, B
     std::optional<double> alpha_rmse;
 
-    // Of colours alone. PSNR and SSIM are of what a display shows: linear colours go through the
-    // neutral tone curve at the exposure that `--exposure auto` finds for the reference.
+    // Of colours only. PSNR and SSIM compare display colours: linear ones are mapped by the neutral
+    // tone curve at the exposure that `--exposure auto` finds for the reference.
     std::optional<double> psnr_db, ssim, flip;
     double display_exposure = 0;  // EV; linear colours only
     HdrFlip hdr;                  // the exposures of an HDR-FLIP
@@ -48,7 +48,7 @@ struct LayerError {
 
 std::string shown_name(const Layer& layer);
 
-// `picture` is the kind of error to make a picture of.
+// `picture`: the metric to make an error picture of, if any.
 LayerError measure(const LayerPair& pair, std::optional<ErrorMetric> picture);
 
 }  // namespace hm::cli

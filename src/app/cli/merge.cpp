@@ -54,8 +54,8 @@ Result<void> write_outputs(const MergeOptions& options, const MergedFilm& merged
     const Film& film = merged.stored.film;
     const FilmLabel& label = merged.stored.label;
     if (!options.part)
-        return write_pictures(options.outputs, film, label.width, label.height, merged.record)
-            .map([](const PicturesReport&) {});
+        return write_pictures(options.outputs,
+                              finish_picture(film, label.width, label.height, merged.record));
     const FrameSettings frame{label.width, label.height, {}};
     Result<void> outcome;
     for (const fs::path& path : options.outputs) {

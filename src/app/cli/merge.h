@@ -1,4 +1,4 @@
-// `himalaya merge`: parts of a rendering, each a range of the samples, joined to the whole.
+// `himalaya merge`: merges parts of a rendering, each a range of the samples.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -14,7 +14,7 @@ struct MergeOptions {
     bool part = false;  // write a part again
 };
 
-// Must outlive the parsing; flags throw CLI::ParseError.
+// `options` must outlive the parsing; invalid flags throw CLI::ParseError.
 void add_merge_flags(CLI::App& app, MergeOptions& options);
 
 Result<ExitCode> merge(const MergeOptions& options);

@@ -20,8 +20,8 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-// Of these only one makes sense, or they belong together: a flag on the command line also replaces
-// a demo's values for the others.
+// Flags that exclude each other or belong together: one on the command line also replaces a demo's
+// values for the others.
 constexpr std::array<std::array<std::string_view, 4>, 4> kReplacedTogether = {{
     {"camera", "eye", "target", "up"},
     {"at", "frames", "fps", ""},
@@ -29,7 +29,7 @@ constexpr std::array<std::array<std::string_view, 4>, 4> kReplacedTogether = {{
     {"size", "crop", "", ""},
 }};
 
-// What says nothing about the picture.
+// Flags that do not influence the picture.
 constexpr std::array<std::string_view, 12> kNotSettings = {
     "FILE",  "output",       "json",           "quiet",      "threads", "help",
     "every", "memory-limit", "allow-external", "checkpoint", "resume",  "any-device"};
@@ -47,21 +47,21 @@ bool was_given(const RenderOptions& options, std::string_view flag) {
 
 void add_info_flags(CLI::App& app, InfoOptions& options) {
     app.add_option("FILE", options.input,
-                   "A .glb or .gltf file, or demo:NAME for a scene that comes along")
+                   "A .glb or .gltf file, or demo:NAME for a scene that is included")
         ->required();
     app.add_flag("--json", options.json, "Print JSON instead of text");
     add_load_flags(app, options.load);
     app.footer(
-        "The exit code is 0 where nothing is amiss, 10 where something was warned of, and that of "
-        "a failed rendering where the file is refused.");
+        "The exit code is 0 without warnings, 10 with warnings, and that of a failed rendering if "
+        "the file is refused.");
 }
 
 void add_doctor_flags(CLI::App& app, DoctorOptions& options) {
     app.add_flag("--json", options.json, "Print JSON instead of text");
     app.footer(
-        "The exit code is 0 where a GPU and every other device draw as the CPU does, 10 where "
-        "something is amiss or only the CPU draws, 8 where a device draws a wrong picture or "
-        "none.");
+        "The exit code is 0 if a GPU and every other device render what the CPU renders, 10 if "
+        "there "
+        "are warnings or only the CPU renders, 8 if a device renders a wrong picture or none.");
 }
 
 void add_bench_flags(CLI::App& app, BenchOptions& options) {
@@ -76,8 +76,8 @@ void add_bench_flags(CLI::App& app, BenchOptions& options) {
     app.add_option_function<std::string>("--size", size, "The pictures' pixels (1920x1080)")
         ->type_name("WxH");
     app.footer(
-        "Prints JSON: rates, and on a GPU beside them the bare rate: the same rays traced by empty "
-        "shaders. Units are in the names; bytes and counts are plain.");
+        "Prints JSON: rates, and on a GPU also the rate of the same rays traced by empty shaders. "
+        "Names contain the units, except for bytes and counts.");
 }
 
 Result<std::filesystem::path> scene_file_of(const std::string& input) {
@@ -86,7 +86,7 @@ Result<std::filesystem::path> scene_file_of(const std::string& input) {
     return demo.scene;
 }
 
-// Throws what CLI11 throws.
+// Throws CLI11's exceptions.
 CommandLine parse(const Arguments& arguments) {
     CommandLine line;
     CLI::App app("Physically based renderer for glTF", "himalaya");
@@ -94,26 +94,26 @@ CommandLine parse(const Arguments& arguments) {
     app.require_subcommand(1);
     app.formatter(std::make_shared<HelpFormatter>());  // for subcommands too
     RenderOptions options;
-    CLI::App& render = *app.add_subcommand("render", "Draw a scene into one or more pictures");
+    CLI::App& render = *app.add_subcommand("render", "Render a scene into one or more pictures");
     add_render_flags(render, options);
     InfoOptions info_options;
-    CLI::App& info = *app.add_subcommand("info", "Tell what is in a scene file");
+    CLI::App& info = *app.add_subcommand("info", "List the contents of a scene file");
     add_info_flags(info, info_options);
     DoctorOptions doctor_options;
     CLI::App& doctor =
-        *app.add_subcommand("doctor", "Examine this machine's devices and draw on each");
+        *app.add_subcommand("doctor", "Check this machine's devices and render on each");
     add_doctor_flags(doctor, doctor_options);
     BenchOptions bench_options;
-    CLI::App& bench = *app.add_subcommand("bench", "Measure how fast a device draws scenes");
+    CLI::App& bench = *app.add_subcommand("bench", "Measure how fast a device renders scenes");
     add_bench_flags(bench, bench_options);
     CompareOptions compare_options;
-    CLI::App& compare = *app.add_subcommand("compare", "Tell how far two pictures are apart");
+    CLI::App& compare = *app.add_subcommand("compare", "Measure the distance between two pictures");
     add_compare_flags(compare, compare_options);
     DenoiseOptions denoise_options;
-    CLI::App& denoise = *app.add_subcommand("denoise", "Take the noise out of a rendered .exr");
+    CLI::App& denoise = *app.add_subcommand("denoise", "Denoise a rendered .exr");
     add_denoise_flags(denoise, denoise_options);
     MergeOptions merge_options;
-    CLI::App& merge = *app.add_subcommand("merge", "Join parts of a rendering (--samples)");
+    CLI::App& merge = *app.add_subcommand("merge", "Merge parts of a rendering (--samples)");
     add_merge_flags(merge, merge_options);
     try {
         app.parse(Arguments(arguments.rbegin(), arguments.rend()));
@@ -176,14 +176,14 @@ Result<CommandLine> parse_with_demo(const Arguments& arguments, const RenderOpti
         if (line.render) line.render->scene_file = demo.scene;
         return line;
     } catch (const CLI::ParseError& error) {
-        // The command line alone was fine, so this comes from the demo's flags.
+        // The command line alone was valid, so this comes from the demo's flags.
         return fail(ErrorKind::invalid,
                     std::filesystem::path(demo.scene).replace_extension(".json").string(), "",
                     error.what());
     }
 }
 
-// Throws what CLI11 throws.
+// Throws CLI11's exceptions.
 Result<CommandLine> parse_render(const Arguments& arguments, CommandLine line) {
     if (line.render->input.starts_with(kDemoPrefix))
         return parse_with_demo(arguments, *line.render);

@@ -10,7 +10,7 @@ namespace hm::cli {
 // Fails with ErrorKind::unwritable.
 Result<void> print(std::string_view text);
 
-// On standard error. Whether anybody listens ends no work.
+// Writes to standard error; failures are ignored.
 void tell(std::string_view text);
 
 }  // namespace hm::cli

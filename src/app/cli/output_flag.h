@@ -8,8 +8,8 @@
 
 namespace hm::cli {
 
-// -o PATH, once or more often, at least once. `outputs` must outlive the parsing; a name that says
-// no kind of picture throws CLI::ParseError.
+// -o PATH, at least once. `outputs` must outlive the parsing; an unknown extension throws
+// CLI::ParseError.
 void add_output_flag(CLI::App& app, std::vector<std::filesystem::path>& outputs,
                      const std::string& help);
 

@@ -29,7 +29,7 @@ std::string describe(const ProgressState& s) {
                                    std::floor(10 * s.samples_per_pixel) / 10);
     if (s.seconds > 0) text += fmt::format("  {:.2f} Mrays/s", double(s.rays) / s.seconds * 1e-6);
     text += fmt::format("  {}", duration(s.seconds));
-    // Too early a guess is worse than none.
+    // An estimate too early would mislead.
     if (s.fraction > 0.01 && s.fraction < 1)
         text += fmt::format(", {} left", duration(s.seconds / s.fraction * (1 - s.fraction)));
     return text;
@@ -66,7 +66,7 @@ void Progress::update(const ProgressState& state) {
     ProgressState s = state;
     s.fraction = std::clamp(s.fraction, 0.0, 1.0);
     if (terminal_) {
-        // Back to the start of the line, and what is left of a longer one is erased.
+        // Returns to the start of the line, and erases the rest of a longer one.
         tell(fmt::format("\r{} {}\x1b[K", bar(s.fraction), describe(s)));
         bar_shown_ = true;
     } else if (s.seconds - last_line_ >= kSecondsBetweenLines) {

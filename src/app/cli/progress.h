@@ -1,4 +1,4 @@
-// What the user sees on standard error while the program works.
+// Progress and messages on standard error.
 #pragma once
 
 #include <mutex>
@@ -8,8 +8,8 @@
 
 namespace hm::cli {
 
-// A live bar on a terminal, else a line every few seconds. Lines are made printable. Any thread may
-// call at any time.
+// A live bar on a terminal, else a line every few seconds. Control characters are escaped. Thread
+// safe.
 class Progress {
   public:
     explicit Progress(bool quiet);

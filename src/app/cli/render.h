@@ -6,7 +6,7 @@
 
 namespace hm::cli {
 
-// ok, or interrupted where a signal ended it early and what was there is written.
+// ok, or interrupted if a signal stopped it early and the samples so far were written.
 Result<ExitCode> render(const RenderOptions& options);
 
 }  // namespace hm::cli

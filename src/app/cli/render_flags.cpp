@@ -34,7 +34,7 @@ auto one_of(const Choice<T> (&choices)[N]) {
 
 void add_files(CLI::App& app, RenderOptions& o) {
     app.add_option("FILE", o.input,
-                   "A .glb or .gltf file, or demo:NAME for a scene that comes along")
+                   "A .glb or .gltf file, or demo:NAME for a scene that is included")
         ->required();
     add_output_flag(
         app, o.outputs,
@@ -58,14 +58,17 @@ void add_sampling(CLI::App& app, RenderOptions& o) {
     app.add_option_function<std::string>("--size", store, "The picture's pixels (1280x720)")
         ->type_name("WxH");
     add(app, "--crop", "X0,Y0,X1,Y1", frame.crop, parse_crop,
-        "Draw and write these pixels only, the last ones excluded. They get the samples that they "
-        "get in the whole picture");
+        "Render and write only these pixels, X1 and Y1 excluded. They get the same samples as in "
+        "the "
+        "whole picture");
     add(app, "--spp", "N", sampling.samples, integer(1, kMaxSamples),
         "Samples per pixel (64; with --time alone as many as fit)");
     add(app, "--time", "SECONDS", sampling.time, number(0.001f, 1e9f),
         "Stop after this much wall-clock time of rendering, but not before each pixel has a "
-        "sample; time before --resume counts");
-    add(app, "--seed", "N", path.seed, integer(0, 0xffffffffu), "Another number, other noise (0)");
+        "sample; "
+        "time before --resume counts");
+    add(app, "--seed", "N", path.seed, integer(0, 0xffffffffu),
+        "Seed of the random sequence: another seed, another noise (0)");
     add(app, "--sampler", "NAME", path.sampler, one_of(kSamplers),
         "independent, sobol-blue-noise or sobol-owen (the default)");
     add(app, "--bounces", "N", path.bounces, integer(0, 1000000),
@@ -86,20 +89,21 @@ void add_sampling(CLI::App& app, RenderOptions& o) {
 void add_view(CLI::App& app, ViewSettings& v) {
     CLI::Option* camera = app.add_option(
         "--camera", v.camera,
-        "The file's camera of this name or index (0). Without any, the whole scene is framed");
+        "The file's camera of this name or index (0). Without cameras the whole scene is framed");
     camera->type_name("NAME|INDEX");
     CLI::Option* eye = add(app, "--eye", "X,Y,Z", v.eye, parse_vector,
                            "Look from this point, metres, instead of through a camera of the file");
     eye->excludes(camera);
-    add(app, "--target", "X,Y,Z", v.target, parse_vector, "Look at this point (the scene's middle)")
+    add(app, "--target", "X,Y,Z", v.target, parse_vector, "Look at this point (the scene's centre)")
         ->needs(eye);
-    add(app, "--up", "X,Y,Z", v.up, parse_vector, "What is up in the picture (0,1,0)")->needs(eye);
+    add(app, "--up", "X,Y,Z", v.up, parse_vector, "The up direction of the picture (0,1,0)")
+        ->needs(eye);
     add(app, "--fov", "DEGREES", v.fov, number(0.01f, 179.0f),
         "Vertical field of view (the file's camera's, else 45)");
     add(app, "--aperture", "METRES", v.aperture, number(0, 1e6f),
-        "The lens' radius; 0: all is sharp (the default)");
+        "Lens radius; 0: everything is in focus (the default)");
     add(app, "--focus", "METRES", v.focus, number(1e-6f, 1e15f),
-        "What lies this far along the view's axis is sharp (--target, else the scene's middle)");
+        "Distance along the view axis that is in focus (--target, else the scene's centre)");
 }
 
 void add_animation(CLI::App& app, RenderOptions& o) {
@@ -107,13 +111,13 @@ void add_animation(CLI::App& app, RenderOptions& o) {
     app.add_option("--animation", animation.animation,
                    "The file's animation of this name or index (0)")
         ->type_name("NAME|INDEX");
-    CLI::Option* at =
-        add(app, "--at", "SECONDS", animation.at, number(-1e9f, 1e9f),
-            "The moment of the animation, which stands still before its first and after its last "
-            "key. Without --at and --animation the scene is drawn in its rest pose");
+    CLI::Option* at = add(
+        app, "--at", "SECONDS", animation.at, number(-1e9f, 1e9f),
+        "Time of the animation, which holds its first and last key outside of its range. Without "
+        "--at and --animation the scene is rendered in its rest pose");
     add(app, "--frames", "A:B", o.frames, parse_frames,
-        "Draw a sequence, both ends included: frame n shows n / fps seconds. In the outputs' "
-        "names a run of # stands for the frame's number; the number enters the seed")
+        "Render a sequence, both ends included: frame n shows n / fps seconds. In the output names "
+        "a run of # stands for the frame number, which also enters the seed")
         ->excludes(at);
     add(app, "--fps", "N", animation.fps, number(0.001f, 1e6f),
         "Frames per second of a sequence, and of the motion AOV (24)");
@@ -193,8 +197,8 @@ void add_group(CLI::App& app, const std::string& heading, Add add_all, Options& 
 
 void add_device_flag(CLI::App& app, DeviceChoice& device) {
     add(app, "--device", "NAME", device, parse_device,
-        "What draws: cpu, vulkan (the best GPU), vulkan:N (the device that `himalaya doctor` lists "
-        "as N), or auto (the default): the best GPU, the CPU where there is none");
+        "Where to render: cpu, vulkan (the best GPU), vulkan:N (the device that `himalaya doctor` "
+        "lists as N), or auto (the default): the best GPU, or the CPU if there is none");
 }
 
 void add_render_flags(CLI::App& app, RenderOptions& options) {

@@ -7,7 +7,7 @@
 
 namespace hm::cli {
 
-// Both must outlive the parsing; flags throw CLI::ParseError.
+// `options` must outlive the parsing; invalid flags throw CLI::ParseError.
 void add_render_flags(CLI::App& app, RenderOptions& options);
 
 void add_device_flag(CLI::App& app, DeviceChoice& device);

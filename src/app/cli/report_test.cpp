@@ -1,4 +1,4 @@
-// What is told about a picture: the flags that shaped it, so that they can be typed again.
+// A picture's metadata has the flags that shaped it, so that they can be typed again.
 #include "app/cli/report.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// How a PNG shows radiance.
+// The flags for exposure and tone mapping of PNG files.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -7,8 +7,8 @@
 
 namespace hm::cli {
 
-// An exposure in EV, none for auto, and a kTone* curve. Both must outlive the parsing; flags throw
-// CLI::ParseError.
+// An exposure in EV, none for auto, and a kTone* curve. Both must outlive the parsing; invalid
+// flags throw CLI::ParseError.
 void add_tone_flags(CLI::App& app, std::optional<float>& exposure, std::uint32_t& curve);
 
 }  // namespace hm::cli

@@ -1,4 +1,4 @@
-// The text of a flag's value -> the value, or what is wrong with it.
+// Parses the values of flags.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace hm::cli {
 
-// The error completes a sentence that begins with the flag's name.
+// The error message follows the flag's name and a colon.
 template <class T>
 using Parsed = tl::expected<T, std::string>;
 

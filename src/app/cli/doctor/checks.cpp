@@ -29,7 +29,7 @@ Findings check_memory(const Machine& m) {
     const double free = double(m.memory.available_bytes) / kGiB;
     const std::string text =
         fmt::format("{:.1f} GiB, {:.1f} free", double(m.memory.total_bytes) / kGiB, free);
-    if (m.memory.total_bytes == 0) return {{Level::note, "memory", "the system does not say"}};
+    if (m.memory.total_bytes == 0) return {{Level::note, "memory", "unknown"}};
     if (free >= kEnough) return {{Level::good, "memory", text}};
     return {{Level::warning, "memory", text, "Close other programs before drawing large scenes."}};
 }
@@ -149,7 +149,7 @@ bool is_nvidia_device(const VulkanDevice& d) {
     return d.name.find("NVIDIA") != std::string::npos;
 }
 
-// Only where its card is there and does not trace: what works needs no advice.
+// Only if there is a card that can't trace rays.
 Findings check_nvidia(const Machine& m) {
     const NvidiaFacts& n = m.nvidia;
     if (!sees_nvidia(m) || std::any_of(m.devices.begin(), m.devices.end(), [](const auto& d) {
@@ -215,7 +215,7 @@ Findings check_devices(const Machine& m) {
     if (!m.built_with_vulkan) return {};
     if (!m.devices_trouble.empty())
         return {{Level::warning, "devices", m.devices_trouble,
-                 "See what is said of the loader and the drivers."}};
+                 "See the findings about the loader and the drivers."}};
     Findings findings;
     bool has_nvidia = false, has_gpu = false;
     for (const VulkanDevice& d : m.devices) {
@@ -242,7 +242,7 @@ Findings check_devices(const Machine& m) {
     return findings;
 }
 
-// Nothing but --denoise needs it, so its absence is no fault of the machine.
+// Only --denoise needs it, so its absence is not a warning.
 Findings check_denoiser(const Machine& m) {
     const DenoiserFacts& d = m.denoiser;
     if (!d.trouble.empty()) return {{Level::note, "denoiser", d.trouble}};

@@ -1,4 +1,4 @@
-// What is right and wrong with a machine, and what to do about it.
+// Findings about a machine, and what to do about them.
 #pragma once
 
 #include <string>
@@ -23,12 +23,12 @@ struct Finding {
 
 using Check = std::vector<Finding> (*)(const Machine&);
 
-// In the order in which they are told. A new check is one more line here.
+// In the order of the report. A new check is one more line here.
 const std::vector<Check>& all_checks();
 
 std::vector<Finding> check_all(const Machine& machine);
 
-// What of ours a Vulkan device can do.
+// Which of the features a Vulkan device supports.
 struct FeatureTier {
     std::string feature;               // "path tracing"
     std::vector<std::string> missing;  // by name; empty: the device has the feature

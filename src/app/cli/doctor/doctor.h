@@ -1,4 +1,5 @@
-// `himalaya doctor`: what this machine offers, what is missing, and whether its devices draw right.
+// `himalaya doctor`: this machine's devices and drivers, what is missing, and whether devices
+// render correctly.
 #pragma once
 
 #include "app/cli/exit_code.h"

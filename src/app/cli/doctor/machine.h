@@ -1,5 +1,5 @@
-// What `himalaya doctor` finds out about a machine, as plain data: the checks read nothing else, so
-// the tests show them machines that do not exist.
+// What `himalaya doctor` knows about a machine, as plain data: the checks read nothing else, so
+// tests can invent machines.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct LoaderFacts {
     std::string trouble;        // why it can't be opened
 };
 
-// A file in /dev that a driver talks to its card through.
+// A device file of a graphics driver in /dev.
 struct DeviceNode {
     std::string path;
     bool may_use = false;  // this user may read and write it

@@ -1,6 +1,5 @@
 // What NVIDIA's Vulkan driver needs beside a card: parts of itself that container runtimes leave
-// out, and libraries of the distribution that minimal images lack. It offers no device without
-// them, and does not say why.
+// out, and libraries that minimal images lack. Without them it offers no device and no reason.
 #pragma once
 
 #include <string>
@@ -23,7 +22,7 @@ struct NvidiaFacts {
     std::vector<LibraryFacts> opened;  // what the driver opens by itself; where there is one
 };
 
-// Opens what the driver would. `has_manifest`: of NVIDIA's driver.
+// Opens the libraries that the driver would open. `has_manifest`: of NVIDIA's driver.
 NvidiaFacts examine_nvidia(const Environment& environment, bool has_manifest);
 
 bool is_nvidia(const DriverManifest& manifest);

@@ -13,7 +13,7 @@
 namespace hm::cli {
 namespace {
 
-// Raised when a field changes its meaning or goes; new fields leave it.
+// Incremented when a field changes its meaning or is removed; not for new fields.
 constexpr std::uint32_t kSchema = 1;
 
 std::string_view level_name(Level level) {
@@ -32,9 +32,9 @@ void add_tiers(std::string& text, const VulkanDevice& device) {
     }
 }
 
-// What to do about a device that draws wrong or not at all.
+// Advice about a device that renders a wrong picture or none.
 constexpr const char* kTrialAdvice =
-    "Update its driver; until then another device draws right: --device cpu.";
+    "Update its driver; until then another device renders correctly: --device cpu.";
 
 std::string trial_line(const Trial& t) {
     if (!t.trouble.empty()) return t.trouble;

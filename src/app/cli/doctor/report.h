@@ -1,4 +1,4 @@
-// What the doctor says, for people and for programs.
+// The doctor's report, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct Diagnosis {
     std::vector<Trial> trials;
 };
 
-// ok: a GPU is there, and every device draws what the CPU draws. warned: pictures can be drawn,
-// but something is amiss or only the CPU draws. device_failed: a device drew a wrong picture, or
+// ok: there is a GPU, and every device renders what the CPU renders. warned: rendering works, but
+// there are warnings or only the CPU renders. device_failed: a device rendered a wrong picture or
 // none.
 ExitCode verdict(const Diagnosis& diagnosis);
 

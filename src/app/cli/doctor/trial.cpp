@@ -25,7 +25,7 @@ vec3 radiance_of(const PixelSum& sum) {
 bool is_close(vec3 a, vec3 b) {
     for (int c = 0; c < 3; ++c) {
         const double x = double(a[c]), y = double(b[c]);
-        // The other way round, so that NaN is not close.
+        // Negated, so that NaN is not close.
         if (!(std::abs(x - y) <= kCloseTolerance * std::max(std::abs(x), std::abs(y))))
             return false;
     }

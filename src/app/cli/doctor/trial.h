@@ -1,4 +1,4 @@
-// A small picture on every device, compared with the CPU's: whether drivers do what they promise.
+// A small picture on every device, compared with the CPU's, as a test of drivers.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,9 @@
 
 namespace hm::cli {
 
-// How much two pictures of the same samples differ. Both sides compute with the same random
-// numbers, but round differently, and a path that turns off at the edge of a triangle is another
-// path; so few pixels differ much, and the mean hardly.
+// How much two pictures of the same samples differ. Both use the same random numbers, but round
+// differently, so that a path near the edge of a triangle may branch off: a few pixels differ much,
+// and the mean hardly.
 struct Parity {
     double mean_difference = 0;  // of luminance, relative to the reference's mean
     double standard_error = 0;   // of that, from the pixels' paired differences
@@ -43,8 +43,8 @@ struct Contender {
 
 inline constexpr std::uint32_t kTrialSize = 64, kTrialSamples = 16;
 
-// Draws demo:cornell on each; the first is the reference. `begun` is told who is at it. Fails where
-// the scene can't be loaded.
+// Draws demo:cornell on each; the first is the reference. `begun` is called with its name before
+// each. Fails if the scene can't be loaded.
 Result<std::vector<Trial>> run_trials(const std::vector<Contender>& contenders,
                                       const std::function<void(std::string_view)>& begun);
 

@@ -1,5 +1,5 @@
-// Large arrays begin where a huge page may, and are as large as asked for.
-#include "base/memory.h"
+// Large arrays are aligned to huge pages and have the requested size.
+#include "app/cli/operator_new.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <new>
 #include <vector>
 
-namespace hm {
+namespace hm::cli {
 namespace {
 
 TEST(Memory, LargeArraysAreWhole) {
@@ -49,4 +49,4 @@ TEST(Memory, WhatDoesNotFitIsRefused) {
 #endif
 
 }  // namespace
-}  // namespace hm
+}  // namespace hm::cli

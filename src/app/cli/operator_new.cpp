@@ -1,7 +1,7 @@
-// The program's operator new: large pieces of memory begin where a huge page may. Filled for the
-// first time in small pages, memory costs more than most things that are done with it
+// The program's operator new: large allocations are aligned to huge pages, since page faults on
+// small pages cost more than most of what is done with the memory
 // (docs/decisions/0012-memory-in-huge-pages.md).
-#include "base/memory.h"
+#include "app/cli/operator_new.h"
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -14,14 +14,14 @@
 namespace {
 
 void* allocate(std::size_t bytes, std::size_t alignment) {
-    const bool large = bytes >= hm::kHugePage;
+    const bool large = bytes >= hm::cli::kHugePage;
     if (!large && alignment <= alignof(std::max_align_t))
         return std::malloc(std::max<std::size_t>(bytes, 1));
     void* memory = nullptr;
-    if (::posix_memalign(&memory, large ? std::max(alignment, hm::kHugePage) : alignment, bytes) !=
-        0)
+    if (::posix_memalign(&memory, large ? std::max(alignment, hm::cli::kHugePage) : alignment,
+                         bytes) != 0)
         return nullptr;
-    // A hint, for the huge pages that lie within; without them all works, more slowly.
+    // Only a hint: without huge pages everything works, but more slowly.
     if (large) (void)::madvise(memory, bytes, MADV_HUGEPAGE);
     return memory;
 }
@@ -37,7 +37,7 @@ void* allocate_or_throw(std::size_t bytes, std::size_t alignment) {
 
 }  // namespace
 
-// The library's other forms call these.
+// The standard library's other forms call these.
 void* operator new(std::size_t bytes) {
     return allocate_or_throw(bytes, alignof(std::max_align_t));
 }
