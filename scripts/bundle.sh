@@ -21,7 +21,7 @@ version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$build/CMakeCache.txt")
 name=himalaya-$version-linux-$(uname -m)
 work=$root/build/bundle/$name
 rm -rf "$work"
-cmake --install "$build" --prefix "$work" --strip >/dev/null
+cmake --install "$build" --component program --prefix "$work" --strip >/dev/null
 mkdir -p "$work/lib" "$work/share/doc"
 
 # Of the same age as the program or older on every machine that has the C library's version.

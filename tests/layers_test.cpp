@@ -101,6 +101,22 @@ TEST(Layers, EveryIncludeGoesDownwards) {
     EXPECT_GT(files, 10);
 }
 
+// What callers of the library must have: a C++ compiler.
+TEST(Layers, InstalledHeadersIncludeTheStandardLibraryOnly) {
+    static const std::regex kAllowed(R"re(#include <(himalaya/\w+\.h|\w+)>)re");
+    int includes = 0;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(source_dir() / "include/himalaya")) {
+        std::ifstream text(entry.path());
+        for (std::string line; std::getline(text, line);) {
+            if (!line.starts_with("#include")) continue;
+            EXPECT_TRUE(std::regex_match(line, kAllowed)) << entry.path() << ": " << line;
+            ++includes;
+        }
+    }
+    EXPECT_GT(includes, 10);
+}
+
 // Flags and exit codes belong to the program: below it messages name settings.
 TEST(Layers, NothingBelowTheProgramNamesFlags) {
     static const std::regex kFlag(R"re("[^"]*--[a-z][^"]*")re");

@@ -1,0 +1,22 @@
+// What a public Scene holds.
+#pragma once
+
+#include <himalaya/scene.h>
+
+#include <string>
+#include <vector>
+
+#include "gltf/load.h"
+#include "scene/scene.h"
+
+namespace himalaya {
+
+struct Scene::Impl {
+    hm::Scene scene;
+    hm::LoadOptions load;               // what of the file was read
+    std::vector<std::string> warnings;  // of loading
+    // A mesh was added since tangents were last prepared.
+    bool lacks_tangents = false;
+};
+
+}  // namespace himalaya

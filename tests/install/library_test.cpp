@@ -1,0 +1,148 @@
+// The public library: errors, cancelling, layers and exceptions of callbacks.
+#include <gtest/gtest.h>
+#include <himalaya/himalaya.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+using namespace himalaya;
+
+std::string source_file(const std::string& name) {
+    const char* source = std::getenv("HIMALAYA_SOURCE_DIR");
+    return std::string(source != nullptr ? source : ".") + "/" + name;
+}
+
+RenderSettings small_settings() {
+    RenderSettings settings;
+    settings.frame.width = 24;
+    settings.frame.height = 16;
+    settings.sampling.samples = 2;
+    return settings;
+}
+
+Renderer cpu() {
+    return Renderer({.kind = DeviceSettings::Kind::cpu, .threads = 2});
+}
+
+template <class Call>
+ErrorKind kind_of(Call call) {
+    try {
+        call();
+    } catch (const Error& error) {
+        EXPECT_FALSE(std::string(error.what()).empty());
+        return error.kind();
+    }
+    ADD_FAILURE() << "no error";
+    return ErrorKind::internal;
+}
+
+TEST(Library, RendersAFileWithLayers) {
+    Scene scene = Scene::load(source_file("scenes/cornell.glb"));
+    RenderSettings settings = small_settings();
+    settings.aovs = {"albedo", "depth"};
+    settings.frame.crop = Crop{4, 2, 14, 10};
+    const Picture picture = cpu().render(scene, settings);
+    EXPECT_EQ(picture.width(), 10u);
+    EXPECT_EQ(picture.height(), 8u);
+    EXPECT_EQ(picture.pixels().size(), 4u * 10 * 8);
+    EXPECT_TRUE(picture.complete());
+    EXPECT_EQ(picture.samples_per_pixel(), 2);
+    EXPECT_EQ(picture.device(), "CPU");
+    EXPECT_EQ(picture.layer("albedo").channels.size(), 3u);
+    EXPECT_EQ(picture.layer("depth").values.size(), 80u);
+    double sum = 0;
+    for (const float value : picture.pixels())
+        sum += double(value);
+    EXPECT_TRUE(std::isfinite(sum) && sum > 80) << sum;  // alpha alone is 80
+}
+
+TEST(Library, ErrorsHaveAKind) {
+    EXPECT_EQ(kind_of([] { Scene::load("/nowhere.glb"); }), ErrorKind::unreadable);
+    Scene scene = Scene::load(source_file("scenes/cornell.glb"));
+    RenderSettings settings = small_settings();
+    settings.view.camera = "no such camera";
+    EXPECT_EQ(kind_of([&] { cpu().render(scene, settings); }), ErrorKind::invalid_argument);
+    settings = small_settings();
+    settings.aovs = {"no such layer"};
+    EXPECT_EQ(kind_of([&] { cpu().render(scene, settings); }), ErrorKind::invalid_argument);
+    settings = small_settings();
+    settings.frame.width = 0;
+    EXPECT_EQ(kind_of([&] { cpu().render(scene, settings); }), ErrorKind::invalid_argument);
+    const Picture picture = cpu().render(scene, small_settings());
+    EXPECT_EQ(kind_of([&] { picture.layer("depth"); }), ErrorKind::invalid_argument);
+    EXPECT_EQ(kind_of([&] { picture.write("/tmp/picture.xyz"); }), ErrorKind::invalid_argument);
+    EXPECT_EQ(kind_of([&] { picture.write("/nowhere/a.exr"); }), ErrorKind::unwritable);
+}
+
+TEST(Library, ArraysAreChecked) {
+    const std::array<Vec3, 3> positions = {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+    const std::array<Triangle, 1> outside = {Triangle{0, 1, 3}};
+    Scene scene;
+    Mesh mesh;
+    mesh.positions = positions;
+    mesh.triangles = outside;
+    EXPECT_EQ(kind_of([&] { scene.add_mesh(mesh); }), ErrorKind::invalid_argument);
+    EXPECT_EQ(kind_of([&] { scene.add_instance(0); }), ErrorKind::invalid_argument);
+    const std::array<std::uint8_t, 3> bytes = {};
+    EXPECT_EQ(kind_of([&] { scene.add_texture({1, 1, bytes}); }), ErrorKind::invalid_argument);
+    Material material;
+    material.base_color_texture = TextureSlot{};
+    EXPECT_EQ(kind_of([&] { scene.add_material(material); }), ErrorKind::invalid_argument);
+}
+
+TEST(Library, ATextureAndANormalMapAreRead) {
+    const std::array<Vec3, 3> positions = {Vec3{-9, -9, 0}, Vec3{9, -9, 0}, Vec3{0, 9, 0}};
+    const std::array<Vec2, 3> uvs = {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}};
+    const std::array<Triangle, 1> triangles = {Triangle{0, 1, 2}};
+    const std::array<std::uint8_t, 4> red = {255, 0, 0, 255}, flat = {128, 128, 255, 255};
+    Scene scene;
+    Material material;
+    material.specular = 0;
+    material.base_color_texture = TextureSlot{scene.add_texture({1, 1, red})};
+    material.normal_texture = TextureSlot{scene.add_texture({1, 1, flat})};
+    Mesh mesh;
+    mesh.positions = positions;
+    mesh.triangles = triangles;
+    mesh.uvs = uvs;
+    mesh.material = scene.add_material(material);
+    scene.add_instance(scene.add_mesh(mesh));
+    Light sun;
+    sun.kind = Light::Kind::directional;
+    scene.add_light(sun);
+    scene.add_camera({}, translation({0, 0, 2}));
+    const Picture picture = cpu().render(scene, small_settings());
+    const std::span<const float> middle = picture.pixels().subspan(4 * (8 * 24 + 12), 4);
+    EXPECT_NEAR(middle[0], 1 / 3.14159265f, 2e-3f);  // 8 bits hold no exact (0, 0, 1)
+    EXPECT_EQ(middle[1], 0);
+}
+
+TEST(Library, CancelledPicturesKeepWhatWasDrawn) {
+    Scene scene = Scene::load(source_file("scenes/cornell.glb"));
+    RenderSettings settings = small_settings();
+    settings.sampling.samples = 1u << 24;
+    Renderer renderer = cpu();
+    const Picture picture =
+        renderer.render(scene, settings, {.progress = [](const Progress&) { return false; }});
+    EXPECT_FALSE(picture.complete());
+    EXPECT_GT(picture.samples_per_pixel(), 0);
+    std::stop_source stop;
+    stop.request_stop();
+    const Picture none =
+        renderer.render(scene, settings, {.progress = {}, .stop = stop.get_token()});
+    EXPECT_EQ(none.samples_per_pixel(), 0);
+}
+
+TEST(Library, ExceptionsOfACallbackArePassedOn) {
+    Scene scene = Scene::load(source_file("scenes/cornell.glb"));
+    RenderSettings settings = small_settings();
+    settings.sampling.samples = 1u << 24;
+    const auto throwing = [](const Progress&) -> bool { throw std::domain_error("mine"); };
+    EXPECT_THROW(cpu().render(scene, settings, {.progress = throwing}), std::domain_error);
+}
+
+}  // namespace
