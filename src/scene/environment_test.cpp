@@ -193,8 +193,7 @@ TEST(Environment, EstimatesTheIrradianceOfThePicture) {
         EXPECT_NEAR(mean, exact, 5 * error + 1e-4 * exact) << sky.name;
         // The mean that shares samples between kinds of light takes rows as narrow.
         if (sky.height < 8) continue;
-        EXPECT_NEAR(double(flat.environment.mean_radiance) * 4 * kPiDouble, exact, 0.02 * exact)
-            << sky.name;
+        EXPECT_NEAR(double(flat.mean_radiance) * 4 * kPiDouble, exact, 0.02 * exact) << sky.name;
     }
 }
 

@@ -17,9 +17,10 @@ tl::unexpected<Error> refuse(const std::filesystem::path& path, std::string mess
 Result<void> check_even(const Film& stored, const std::string& device,
                         const std::filesystem::path& path) {
     if (device == "CPU" || stored.fewest_samples() == stored.most_samples()) return {};
-    return refuse(path, fmt::format("has pixels with {} and with {} samples, as time that was over "
-                                    "left them; only the CPU completes it",
-                                    stored.fewest_samples(), stored.most_samples()));
+    return refuse(path,
+                  fmt::format("has pixels with {} and with {} samples, because a time limit cut "
+                              "a pass short; only the CPU completes it",
+                              stored.fewest_samples(), stored.most_samples()));
 }
 
 Result<void> check_samples(const Film& stored, const SamplingSettings& sampling, const Film& film,

@@ -17,7 +17,7 @@ namespace hm {
 // What a GPU's benchmark measures with one scene.
 struct TracedRates {
     TraceRates rates;
-    // The same with hits sorted before they are shaded, where the device offers it.
+    // The same with hits reordered before shading, if the device supports it.
     std::optional<TraceRates> reordered;
     bool sorts = false;  // the device reports that it really does, and pictures are rendered so
 };

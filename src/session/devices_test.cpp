@@ -1,5 +1,4 @@
-// Which device is taken, what is said about it, and what happens when it fails, with devices that
-// exist nowhere but here.
+// Device choice, its messages, and the fallback, with fake devices.
 #include "session/devices.h"
 
 #include <gtest/gtest.h>
@@ -162,7 +161,7 @@ TEST(Fallback, NoSampleIsLostOrDrawnTwiceWhereverTheDeviceFails) {
     }
 }
 
-// Cancelled in its first pass: for a checkpoint, after which it goes on, or since time is over.
+// Cancelled in its first pass: for a checkpoint, after which it goes on, or because time is up.
 TEST(Fallback, ACancelledPictureGetsItsFirstSampleAndMayGoOn) {
     FallbackRenderer renderer(std::make_unique<FakeRenderer>("first", 1.0f, 2),
                               [](const Error&) -> Result<std::unique_ptr<Renderer>> {

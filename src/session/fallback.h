@@ -27,7 +27,7 @@ class FallbackRenderer final : public Renderer {
     Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
                         const std::atomic<bool>& cancel) override;
     Result<void> sync() override;
-    // Names both where both drew.
+    // Names both devices if both drew.
     RendererReport report() const override;
 
   private:

@@ -14,7 +14,7 @@ namespace hm {
 
 using NamedValues = std::vector<std::pair<std::string, std::string>>;
 
-// What was read, and what of it.
+// The inputs: which scene file, which part of it, which environment.
 struct SceneFingerprint {
     std::string scene;           // Scene::hash
     std::string scene_choice{};  // LoadOptions::scene

@@ -1,4 +1,4 @@
-// What render_passes makes of a renderer that fails in the middle. Its films are the smallest ones.
+// render_passes with a renderer that fails in the middle.
 #include "session/passes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// `himalaya compare`: the numbers in its JSON against closed forms, what it says of pictures that
-// differ in size, layers or kind, and the exit codes.
+// `himalaya compare`: the numbers in its JSON against closed forms, its messages about pictures
+// that differ in size, layers or kind, and the exit codes.
 #include <gtest/gtest.h>
 #include <simdjson.h>
 

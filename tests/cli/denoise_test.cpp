@@ -1,5 +1,5 @@
-// `himalaya render --denoise` and `himalaya denoise`: what is in the files afterwards, and what is
-// said where the library or a layer is missing.
+// `himalaya render --denoise` and `himalaya denoise`: the contents of the files, and the errors if
+// the library or a layer is missing.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -54,7 +54,7 @@ class DenoiseCommand : public ::testing::Test {
         return picture ? std::move(*picture) : LayeredImage{};
     }
 
-    // Where the library was never fetched; where it was, it has to work.
+    // If the library was never fetched; if it was, it has to work.
     static bool library_is_missing() {
         const char* source = std::getenv("HIMALAYA_SOURCE_DIR");
         const bool fetched = source && fs::exists(fs::path(source) / "build/oidn/version");

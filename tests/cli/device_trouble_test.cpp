@@ -1,5 +1,5 @@
-// The whole program on machines where Vulkan is missing or broken, as far as the environment can
-// make this machine one: no driver, and a loader that can't be opened.
+// The whole program without a Vulkan driver or with a loader that can't be opened, as simulated by
+// environment variables.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -49,7 +49,7 @@ class DeviceTrouble : public testing::Test {
         return run(arguments.append(device).append(" -o ").append(picture_.string()));
     }
     void without_driver() { environment_ = "VK_DRIVER_FILES=/nowhere/icd.json"; }
-    // The dynamic linker takes the first file of the name, and this one is no library.
+    // The dynamic linker takes the first file with this name, which is not a library.
     void without_loader() {
         std::ofstream(folder_ / "libvulkan.so.1") << "not a library\n";
         environment_ = "LD_LIBRARY_PATH=";

@@ -1,7 +1,6 @@
 // Real glTF files through the program's own commands: `info --json` fits its schema, and `render`
-// draws every scene, material variant and animation. Under the sanitizers that is the point;
-// without them, that what comes out are numbers. Files may be refused for an extension that they
-// require.
+// renders every scene, material variant and animation: under the sanitizers without a finding,
+// and without them without NaN. Files may be refused for an extension that they require.
 #include <gtest/gtest.h>
 #include <simdjson.h>
 
@@ -34,7 +33,7 @@ struct Printed {
     std::string text, error;
 };
 
-// As main() does, with what it prints on standard output caught.
+// As main() does, with standard output captured.
 Printed run(const Arguments& arguments) {
     std::vector<const char*> list = {"himalaya"};
     for (const std::string& argument : arguments)

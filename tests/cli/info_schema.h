@@ -1,12 +1,12 @@
-// What `himalaya info --json` prints against docs/info.schema.json.
+// Checks the output of `himalaya info --json` against docs/info.schema.json.
 #pragma once
 
 #include <string>
 
 namespace hm::test {
 
-// Fails where the text is not what the schema describes, of the keywords that the file uses. An
-// object may have no field that the schema does not know: the document would lag behind.
+// Fails if the text does not fit the schema, as far as the keywords that the schema uses. Fields
+// that the schema does not know are errors, so that the document stays complete.
 void expect_fits_schema(const std::string& json);
 
 }  // namespace hm::test

@@ -1,5 +1,5 @@
-// `himalaya info`: what it prints of a shipped scene, that the JSON is what docs/info.schema.json
-// says, what becomes of hostile names, and the exit codes.
+// `himalaya info`: its output for a shipped scene, JSON that fits docs/info.schema.json, hostile
+// names, and the exit codes.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -26,7 +26,7 @@ std::string read_text(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// A glTF file of the test's own, removed at its end.
+// A temporary glTF file.
 class Info : public ::testing::Test {
   protected:
     Info() : path_(fs::temp_directory_path() / ("info_test-" + std::to_string(::getpid()))) {}
@@ -139,7 +139,7 @@ TEST_F(Info, TellsOfTheSceneAskedFor) {
     }
 }
 
-// What arises when the scene is laid out names the file's node, not the place it got in the scene.
+// Warnings of flattening name the file's node, not its index in the scene.
 TEST_F(Info, WarningsAfterLoadingHaveAPlace) {
     InfoOptions o = write(R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual"],
         "extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional"}]}},

@@ -1,5 +1,5 @@
-// Full disks, folders that can't be written and folders that vanish: said before the first sample
-// where it can be known, with the old file intact and the samples in the checkpoint.
+// Full disks, read-only folders and folders that vanish: reported before the first sample if
+// possible, with the old file intact and the samples in the checkpoint.
 #include <grp.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr int kUnwritable = 6;
 
-// A limit on the size of files is met in the middle of a write, as the end of a disk is.
+// A file size limit fails in the middle of a write, as a full disk does.
 std::function<void()> limit_files(rlim_t bytes) {
     return [bytes] {
         const struct rlimit limit { bytes, bytes };
@@ -80,7 +80,7 @@ TEST(Disk, AReadOnlyFolderIsSaidBeforehand) {
               "himalaya: error: " + output + ": can't be written: Permission denied\n");
 }
 
-// As a network mount that is gone when the picture is to be written.
+// Like a network mount that is gone when the picture is written.
 TEST(Disk, AFolderThatVanishesCostsNoSample) {
     const Folder folder;
     const std::string target = folder / "mount", output = target + "/picture.exr";
@@ -106,7 +106,7 @@ TEST(Disk, AFolderThatVanishesCostsNoSample) {
     expect_same_pixels(output, folder / "whole.exr");
 }
 
-// A checkpoint that can't be written ends no rendering, but is not passed over either.
+// A checkpoint that can't be written does not end the rendering, but is reported.
 TEST(Disk, ACheckpointThatVanishesIsWarnedOf) {
     const Folder folder;
     const std::string target = folder / "mount", checkpoint = target + "/kept.exr";

@@ -1,5 +1,5 @@
-// kill -9 at random moments, a hundred times: the checkpoint is always whole and never goes back,
-// and the picture at the end is the one of a rendering that nobody interrupted, bit for bit.
+// kill -9 at random moments, a hundred times: the checkpoint is always complete and never loses
+// samples, and the final picture is bit-equal to that of an uninterrupted rendering.
 #include <gtest/gtest.h>
 #include <signal.h>
 

@@ -1,5 +1,5 @@
-// --samples and `himalaya merge`: any split in any order is the whole to float rounding, and what
-// does not fit together is refused with the part named.
+// --samples and `himalaya merge`: any split in any order equals the whole to float rounding, and
+// parts that do not fit together are refused by name.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ TEST_F(Merge, PartsOfPartsAndCheckpoints) {
     expect_ok({"merge", folder / "bc.exr", folder / "a.exr", "-o", folder / "all.exr"});
     expect_near_pixels(folder / "all.exr", folder / "whole.exr", 13);
     EXPECT_NE(bytes_of(folder / "all.exr").find("--samples 0:12"), std::string::npos);
-    // A part can be kept, interrupted and gone on with as all else.
+    // A part can have a checkpoint and be resumed.
     const Arguments kept = {"--checkpoint", folder / "kept.exr"};
     expect_ok(with(part(folder / "c.exr", 5, 7), kept));
     expect_ok(with(part(folder / "c.exr", 5, 12), {"--resume", folder / "kept.exr"}));
@@ -85,8 +85,8 @@ TEST_F(Merge, PartsOfPartsAndCheckpoints) {
     expect_same_pixels(folder / "all.exr", folder / "whole.exr");
 }
 
-// Cryptomattes are ranked once all samples are there, so their ids are the same, and the ids and
-// UVs of the lowest sample stay those of the first part.
+// Cryptomattes are ranked with all samples, so their ids are equal, and the ids and UVs of the
+// lowest sample stay those of the first part.
 TEST_F(Merge, EveryLayer) {
     constexpr int kSamples = 16;
     const Arguments all = {"--aov", "all,variance"};
@@ -100,7 +100,7 @@ TEST_F(Merge, EveryLayer) {
     const std::string text = bytes_of(folder / "all.exr");
     EXPECT_NE(text.find("tall block"), std::string::npos) << "the cryptomattes' manifests";
     EXPECT_NE(text.find("estimatedError"), std::string::npos);
-    // And bit for bit where one rendering goes on.
+    // And bit for bit if one rendering is resumed.
     expect_ok(with(small_render(folder / "again.exr", 3),
                    with(all, {"--checkpoint", folder / "kept.exr"})));
     expect_ok(with(small_render(folder / "again.exr", kSamples),
@@ -133,7 +133,7 @@ TEST_F(Merge, WhatDoesNotFitIsRefused) {
     EXPECT_TRUE(read_film(a));
 }
 
-// What others see in a part.
+// How other programs read a part.
 TEST_F(Merge, OpenImageIoReadsParts) {
     if (std::system("command -v oiiotool >/dev/null") != 0) GTEST_SKIP() << "there is no oiiotool";
     expect_ok(part(folder / "a.exr", 0, 4, {"--crop", "3,4,19,24"}));

@@ -1,4 +1,4 @@
-// The program itself as a process: started with arguments, sent signals, waited for.
+// The program as a process: started with arguments, sent signals, waited for.
 #pragma once
 
 #include <sys/types.h>
@@ -57,7 +57,7 @@ std::string bytes_of(const std::filesystem::path& path);
 // The Cornell box in a few pixels, on one thread of the CPU.
 Arguments small_render(const std::string& output, int samples);
 
-// With more flags; those with one value that are there already get the new one.
+// With more flags, which replace earlier values of the same flags.
 Arguments with(Arguments arguments, const Arguments& more);
 
 }  // namespace hm::test

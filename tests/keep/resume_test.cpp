@@ -1,5 +1,5 @@
 // --checkpoint and --resume: the same pixels whatever the history, more samples later, sequences
-// from the frame that was being drawn, and what is refused in which words.
+// from the frame that was being rendered, and the messages of refusals.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -22,7 +22,7 @@ void expect_ok(const Arguments& arguments) {
     EXPECT_EQ(outcome.code, 0) << outcome.text;
 }
 
-// The one line that the program says of what it refuses.
+// The program's only output is this one line.
 void expect_refused(const Arguments& arguments, const std::string& message, int code = 2) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, code);
@@ -54,7 +54,7 @@ TEST_F(Resume, FewerSamplesThenMoreAreAllAtOnce) {
     EXPECT_EQ(read_film(second)->film.mean_samples(), 37);
 }
 
-// Time cuts a pass short and leaves pixels with different numbers of samples.
+// A time limit cuts a pass short and leaves pixels with different numbers of samples.
 TEST_F(Resume, AfterTimeWasOver) {
     const Arguments large = {"--size", "150x90"};
     expect_ok(with(small_render(whole, 40), large));
@@ -153,7 +153,7 @@ TEST_F(Resume, FlagsThatMakeNoSense) {
                    folder / "no/kept.exr" + ": can't be written: there is no such folder", 6);
 }
 
-// A checkpoint says who drew it; here one that claims to be of a GPU.
+// A checkpoint names its device; here one that claims to be a GPU's.
 TEST_F(Resume, AnotherDeviceNeedsAFlag) {
     expect_ok(small_render(whole, 6));
     expect_ok(with(small_render(output, 4), {"--checkpoint", checkpoint}));

@@ -22,7 +22,7 @@ void wait_for(const std::string& file, Program& program) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-// More samples than anyone waits for; the checkpoint tells when rendering has begun.
+// Far too many samples; the checkpoint appears once rendering has begun.
 Arguments long_render(const std::string& output, const std::string& checkpoint) {
     return with(small_render(output, 1 << 24), {"--checkpoint", checkpoint, "--every", "0.05"});
 }
@@ -56,7 +56,7 @@ TEST(Signals, TwoStopAtOnce) {
     const Arguments arguments = with(long_render(output, checkpoint), {"--size", "2000x1500"});
     Program program(arguments);
     wait_for(checkpoint, program);
-    // Different ones: of two that are the same, one may be lost.
+    // Different signals: two equal pending ones count as one.
     program.send(SIGINT);
     program.send(SIGTERM);
     const Outcome outcome = program.wait();
@@ -77,7 +77,7 @@ TEST(Signals, AnIgnoredHangUpStaysIgnored) {
     EXPECT_EQ(program.wait().code, kInterrupted);
 }
 
-// Who reads the messages may go away; the picture is written all the same.
+// The reader of the messages may exit; the picture is written nevertheless.
 TEST(Signals, AClosedPipeEndsNothing) {
     const Folder folder;
     const std::string output = folder / "picture.exr";

@@ -1,6 +1,6 @@
-// The functions that the layer can make fail: all whose result the program, or the memory allocator
-// for it, looks at. CALL(name, kind), with kinds: fails; loses, where the device may be lost too;
-// names, which counts for nothing but an order that names it.
+// The functions that the layer can make fail: all whose result the program or its memory allocator
+// checks. CALL(name, kind), with kinds: fails; loses, if the device may be lost too; names, which
+// fails only if ordered by name.
 #pragma once
 
 #define HM_TROUBLE_INSTANCE_CALLS(CALL)               \

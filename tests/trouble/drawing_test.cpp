@@ -1,7 +1,7 @@
 // A small picture on the real renderers, once for each Vulkan call that may fail while the scene is
 // uploaded, its structures are built, samples are drawn and brought back. Whichever fails: the
-// error has a name, and with --device auto the CPU ends the picture, with the samples that the film
-// had.
+// error names it, and with --device auto the CPU completes the picture with the samples that the
+// film had.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kSide = 8, kFirst = 2, kAll = 5;
 
-// The device of all tests as the program's; a renderer's pipelines are compiled once.
+// The device shared by all tests, so that pipelines are compiled once.
 class SharedGpu final : public RenderDevice {
   public:
     std::string name() const override { return "Vulkan"; }
@@ -52,7 +52,7 @@ class Drawing : public testing::Test {
 
     Film empty_film() const { return Film({0, 0, kSide, kSide}, selection_); }
 
-    // In two stretches, as long as the renderer works.
+    // In two ranges, until the renderer fails.
     Result<void> draw(Renderer& renderer, Film& film, RenderCounters& counters) const {
         const std::atomic<bool> cancel{false};
         HM_TRY(renderer.begin(job_, film));

@@ -1,5 +1,5 @@
-// The layer itself: it takes its place in the chain, and each call on the list asks whether it is
-// to fail before it goes on to the next layer.
+// The layer itself: each intercepted call checks whether it must fail before it calls the next
+// layer.
 #include <volk.h>
 #include <vulkan/vk_layer.h>
 
@@ -37,8 +37,8 @@ enum Index : std::size_t {
 };
 #undef HM_INDEX
 
-// The next layer, for all objects of one instance or one device. Our functions ask for theirs at
-// once: later the loader, where it is next, answers with ours.
+// The next layer, for all objects of one instance or one device. Resolved at creation: later
+// the loader, if it is next, returns our functions.
 struct Next {
     VkInstance instance = VK_NULL_HANDLE;
     PFN_vkGetInstanceProcAddr instance_function = nullptr;
@@ -90,7 +90,7 @@ bool waits(const Call& call) {
            std::strcmp(call.name, "vkDeviceWaitIdle") == 0;
 }
 
-// What the call is to return instead of being made; VK_SUCCESS: nothing.
+// What the call must return instead of being made; VK_SUCCESS: it is made.
 VkResult failure(const Call& call, const Next* next) {
     State& s = state();
     if (!s.is_armed) return VK_SUCCESS;
@@ -193,7 +193,7 @@ VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical,
     return result;
 }
 
-// So that --device auto, which leaves software alone, takes what there is.
+// So that --device auto, which skips software devices, takes this one.
 VKAPI_ATTR void VKAPI_CALL get_properties(VkPhysicalDevice physical,
                                           VkPhysicalDeviceProperties2* properties) {
     PFN_vkGetPhysicalDeviceProperties2 next = nullptr;
@@ -207,7 +207,7 @@ VKAPI_ATTR void VKAPI_CALL get_properties(VkPhysicalDevice physical,
         properties->properties.deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
 }
 
-// Our function of this name; nullptr where we have none.
+// Our function of this name, or nullptr.
 PFN_vkVoidFunction hook_of(const std::string& name) {
     static const std::map<std::string, PFN_vkVoidFunction> kHooks = {
 #define HM_HOOK(name, kind) \

@@ -1,4 +1,4 @@
-// A device made from nothing and its pipelines compiled, once for each Vulkan call that may fail.
+// Creates a device and compiles its pipelines, once for each Vulkan call that may fail.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -102,7 +102,7 @@ TEST_F(Opening, PipelinesThatCannotBeKeptAreAWarning) {
         << diagnostics.warnings()[0].line();
 }
 
-// A sweep that does not know a call would leave it out without a word.
+// A sweep would silently leave out a call that it does not know.
 TEST(Sweep, KnowsEveryCallWhoseResultIsLookedAt) {
     std::set<std::string> known;
     for (const std::string& name : trouble::functions())

@@ -1,5 +1,5 @@
-// The whole program on a machine whose GPU fails. The layer makes the test device fail, and lets it
-// pose as a card where --device auto is to take it.
+// The whole program with a GPU that fails. The layer makes the test device fail, and reports it as
+// a discrete GPU if --device auto must take it.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr int kSamples = 60, kManySamples = 3000;
 
-// "VK_ERROR_DEVICE_LOST vkQueueSubmit2 3"; nothing for a machine without trouble.
+// "VK_ERROR_DEVICE_LOST vkQueueSubmit2 3"; empty: nothing fails.
 Outcome run_in(const std::string& trouble, const Arguments& arguments) {
     return run(arguments, [&] {
         ::setenv("VK_ADD_LAYER_PATH", HIMALAYA_TROUBLE_FOLDER, 1);
@@ -86,7 +86,7 @@ TEST_P(BadMachine, IsFoundByTheDoctor) {
     EXPECT_EQ(outcome.code, int(cli::ExitCode::device_failed)) << outcome.text;
 }
 
-// A checkpoint is written as often as it can be, so the film has some of the device's samples.
+// Checkpoints are as frequent as possible, so the film has some of the device's samples.
 class Checkpoints : public testing::Test {
   protected:
     Arguments keeping(const std::string& device) const {
@@ -112,7 +112,7 @@ TEST_F(Checkpoints, HoldWhatALostDeviceHadDrawn) {
     EXPECT_LT(held, std::uint32_t(kManySamples));
     EXPECT_TRUE(fs::exists(output_));
 
-    // Without trouble, the machine goes on to the bits of a picture that nothing happened to.
+    // Without failures, resuming gives the bits of an uninterrupted picture.
     const Arguments more = {"--spp", std::to_string(held + 3)};
     const Outcome resumed =
         run_in("", with(with(drawing("vulkan", output_), more), {"--resume", kept_}));

@@ -41,7 +41,7 @@ void sweep(VkResult result, const Attempt& attempt,
 
 void expect_named(const Error& error, VkResult result) {
     const std::string line = error.line();
-    // The allocator calls some failures of the host those of the device.
+    // The allocator reports some host failures as device failures.
     const bool by_allocator = line.find(": vma") != std::string::npos;
     const auto names = [&](VkResult r) {
         return line.find(" returned " + rhi::result_name(r)) != std::string::npos;
