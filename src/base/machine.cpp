@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <string_view>
 #include <thread>
 
 #include "commit.h"  // written by cmake/Commit.cmake at each build
@@ -26,19 +24,6 @@ unsigned cpu_threads() {
 
 std::string build_commit() {
     return HM_COMMIT;
-}
-
-MemoryFacts memory_facts() {
-    MemoryFacts facts;
-    std::ifstream info("/proc/meminfo");
-    for (std::string line; std::getline(info, line);) {
-        const auto kib = [&](std::string_view name) {
-            return std::strtoull(line.c_str() + name.size(), nullptr, 10) * 1024;
-        };
-        if (line.starts_with("MemTotal:")) facts.total_bytes = kib("MemTotal:");
-        if (line.starts_with("MemAvailable:")) facts.available_bytes = kib("MemAvailable:");
-    }
-    return facts;
 }
 
 std::string machine_json() {

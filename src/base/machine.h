@@ -2,7 +2,6 @@
 // begins with it.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 namespace hm {
@@ -10,11 +9,6 @@ namespace hm {
 std::string cpu_model();     // "AMD EPYC 9654 96-Core Processor", or "unknown"
 unsigned cpu_threads();      // those that this process may use
 std::string build_commit();  // "62a7270", "62a7270-dirty" or "unknown"
-
-struct MemoryFacts {
-    std::uint64_t total_bytes = 0, available_bytes = 0;  // 0: the system does not say
-};
-MemoryFacts memory_facts();
 
 // "cpu": ..., "threads": ..., "commit": ..., "compiler": ... as the members of a JSON object, no
 // braces.

@@ -1,19 +1,18 @@
 #include "gltf/budget.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
+
+#include "base/available_memory.h"
 
 namespace hm::gltf {
 
 std::uint64_t memory_limit(const LoadOptions& options) {
     if (options.memory_limit != 0) return options.memory_limit;
     constexpr std::uint64_t kMost = 1ull << 34;
-    const auto pages = static_cast<std::uint64_t>(std::max(::sysconf(_SC_PHYS_PAGES), 0L));
-    const auto page = static_cast<std::uint64_t>(std::max(::sysconf(_SC_PAGESIZE), 0L));
-    const std::uint64_t memory = pages * page;
-    return memory == 0 ? kMost : std::min(kMost, memory / 4 * 3);
+    const MemoryFacts memory = memory_facts();
+    return memory.total_bytes == 0 ? kMost : std::min(kMost, memory.available_bytes / 4 * 3);
 }
 
 Budget make_budget(std::uint64_t limit, std::uint64_t file_bytes) {

@@ -9,7 +9,7 @@
 
 namespace hm::gltf {
 
-// Bytes that loading may take, from the options or the machine's memory.
+// Bytes that loading may take, from the options or the available memory.
 std::uint64_t memory_limit(const LoadOptions& options);
 
 // A budget that the file itself, of `file_bytes`, is taken from already.

@@ -17,7 +17,7 @@ struct LoadOptions {
     std::string scene;    // name or index, a name first; empty: the one the file names
     std::string variant;  // of materials (KHR_materials_variants); empty: none
     // Bytes that the file and what becomes of it may take together. 0: the lesser of 16 GiB and
-    // three quarters of the machine's memory.
+    // three quarters of the available memory.
     std::uint64_t memory_limit = 0;
     // Buffers and images may lie anywhere on this machine, not only below the file's folder.
     bool allow_external = false;

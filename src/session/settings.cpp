@@ -1,7 +1,8 @@
 #include "session/settings.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
+
+#include "base/available_memory.h"
 
 namespace hm {
 namespace {
@@ -50,12 +51,12 @@ Result<void> check_memory(const RenderSettings& settings) {
     const double bytes_per_pixel = kBeautyBytes + layer_bytes_per_pixel(settings.layers);
     const PixelRect pixels = settings.frame.pixels();
     const double need = double(pixels.width()) * double(pixels.height()) * bytes_per_pixel / kGiB;
-    const double memory =
-        double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE)) / kGiB;
-    if (need <= memory) return {};
-    return refuse(
-        "size", fmt::format("needs {:.1f} GiB and the machine has {:.1f}; a crop needs less", need,
-                            memory));
+    const MemoryFacts memory = memory_facts();
+    const double available = double(memory.available_bytes) / kGiB;
+    if (memory.total_bytes == 0 || need <= available) return {};
+    return refuse("size",
+                  fmt::format("needs {:.1f} GiB and {:.1f} are available; a crop needs less", need,
+                              available));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ void add_load_flags(CLI::App& app, LoadOptions& options) {
     app.add_option_function<std::string>(
            "--memory-limit", limit,
            "Refuse a scene that needs more bytes to load: a number, with K, M, G or T (three "
-           "quarters of the machine's memory, 16G at most)")
+           "quarters of the available memory, 16G at most)")
         ->type_name("SIZE");
     app.add_flag("--allow-external", options.allow_external,
                  "Read buffers and images from anywhere on this machine, not only below the file's "

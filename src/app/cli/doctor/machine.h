@@ -8,6 +8,7 @@
 
 #include "app/cli/doctor/nvidia.h"
 #include "app/cli/drivers.h"
+#include "base/available_memory.h"
 #include "base/machine.h"
 #include "session/vulkan_devices.h"
 
