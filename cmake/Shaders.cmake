@@ -8,6 +8,7 @@
 # folder and from INCLUDES.
 add_executable(embed_spirv ${PROJECT_SOURCE_DIR}/tools/embed_spirv.cpp)
 himalaya_compile(embed_spirv NO_PRECOMPILED_HEADER)
+target_include_directories(embed_spirv SYSTEM PRIVATE ${SPIRV_HEADERS})
 
 function(himalaya_shader target file)
   cmake_parse_arguments(S "" "NAME" "DEFINES;INCLUDES" ${ARGN})

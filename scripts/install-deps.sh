@@ -13,12 +13,12 @@ group=${1:---test}
 packages="g++ cmake ninja-build ccache pkg-config git ca-certificates
     libglm-dev libsimdjson-dev libopenexr-dev libspng-dev libjpeg62-turbo-dev zlib1g-dev
     libxxhash-dev libtbb-dev libcli11-dev libfmt-dev libexpected-dev
-    libvulkan-dev libvulkan-volk-dev glslang-tools spirv-tools"
+    libvulkan-dev libvulkan-volk-dev spirv-headers glslang-tools spirv-tools"
 case $group in
 --build) ;;
 --test | --clang)
     packages="$packages clang-format libgtest-dev libboost-dev vulkan-validationlayers
-        openimageio-tools"
+        libspirv-cross-c-shared-dev openimageio-tools"
     # Node from elsewhere serves as well, and Debian's npm would conflict with it.
     command -v node >/dev/null || packages="$packages nodejs"
     command -v npm >/dev/null || packages="$packages npm"

@@ -1,73 +1,72 @@
 // embed_spirv IN.spv OUT.spv WORDS.h: forbids contraction in a shader, and writes it as a C++
 // array.
 //
-// Without that a device may compute a * b + c with one rounding where C++ has two, and paths on a
-// GPU would part from the CPU's (shading/exact.glsl). GLSL can forbid it by `precise`, one variable
-// at a time; here every arithmetic instruction is given SPIR-V's NoContraction, but in functions
-// that say HM_MAY_CONTRACT, which have a variable of the name below.
+// Otherwise a device may compute a * b + c with one rounding where C++ has two, and paths on a GPU
+// would diverge from the CPU's (shading/exact.glsl). GLSL can forbid it with `precise`, one
+// variable at a time; this decorates every arithmetic instruction with NoContraction, except in
+// functions marked HM_MAY_CONTRACT, which have a variable of the name below.
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <set>
 #include <span>
+#include <spirv/unified1/spirv.hpp11>
 #include <string>
 #include <vector>
 
 namespace {
 
-// The SPIR-V specification, version 1.6, chapter 3.
-constexpr std::uint32_t kMagic = 0x07230203;
 constexpr std::size_t kHeaderWords = 5;
-enum Opcode : std::uint32_t {
-    kName = 5,
-    kTypeVoid = 19,  // the first of those that declare types, constants and global variables
-    kFunction = 54,
-    kFunctionEnd = 56,
-    kVariable = 59,
-    kDecorate = 71,
-    kFNegate = 127,
-    kFAdd = 129,
-    kFSub = 131,
-    kFMul = 133,
-    kFDiv = 136,
-    kVectorTimesScalar = 142,
-    kDot = 148,
-};
-constexpr std::uint32_t kNoContraction = 42;
 constexpr const char* kMayContract = "hm_may_contract";
 
 using Words = std::vector<std::uint32_t>;
 
 struct Instruction {
-    std::uint32_t opcode;
+    spv::Op opcode;
     std::span<const std::uint32_t> words;  // the first holds opcode and length
     std::size_t begin;
 };
 
-// False if the words are no SPIR-V.
+// False if the words are not SPIR-V.
 template <class Visit>
 bool for_each_instruction(const Words& module, const Visit& visit) {
-    if (module.size() < kHeaderWords || module[0] != kMagic) return false;
+    if (module.size() < kHeaderWords || module[0] != spv::MagicNumber) return false;
     for (std::size_t at = kHeaderWords; at < module.size();) {
-        const std::size_t length = module[at] >> 16;
+        const std::size_t length = module[at] >> spv::WordCountShift;
         if (length == 0 || at + length > module.size()) return false;
-        visit(Instruction{module[at] & 0xffffu, std::span(module).subspan(at, length), at});
+        visit(Instruction{spv::Op(module[at] & spv::OpCodeMask),
+                          std::span(module).subspan(at, length), at});
         at += length;
     }
     return true;
 }
 
-// On products, sums and what consists of them; results are word 2.
-bool is_arithmetic(std::uint32_t opcode) {
-    return opcode == kFNegate || opcode == kFAdd || opcode == kFSub || opcode == kFMul ||
-           opcode == kFDiv || (opcode >= kVectorTimesScalar && opcode <= kDot);
+// Floating-point sums, products and what consists of them. The result is word 2.
+bool is_arithmetic(spv::Op opcode) {
+    switch (opcode) {
+        case spv::Op::OpFNegate:
+        case spv::Op::OpFAdd:
+        case spv::Op::OpFSub:
+        case spv::Op::OpFMul:
+        case spv::Op::OpFDiv:
+        case spv::Op::OpVectorTimesScalar:
+        case spv::Op::OpMatrixTimesScalar:
+        case spv::Op::OpVectorTimesMatrix:
+        case spv::Op::OpMatrixTimesVector:
+        case spv::Op::OpMatrixTimesMatrix:
+        case spv::Op::OpOuterProduct:
+        case spv::Op::OpDot:
+            return true;
+        default:
+            return false;
+    }
 }
 
 struct Findings {
     std::set<std::uint32_t> exact;      // results to decorate
     std::set<std::uint32_t> decorated;  // by `precise`
-    std::size_t first_type = 0;         // decorations go before it
+    std::size_t first_type = 0;         // decorations are inserted before it
 };
 
 bool read(const Words& module, Findings& found) {
@@ -75,19 +74,20 @@ bool read(const Words& module, Findings& found) {
     std::vector<std::uint32_t> of_function;
     bool may_contract = false;
     return for_each_instruction(module, [&](const Instruction& i) {
-        if (i.opcode == kName &&
+        if (i.opcode == spv::Op::OpName &&
             std::strcmp(reinterpret_cast<const char*>(&i.words[2]), kMayContract) == 0)
             markers.insert(i.words[1]);
-        if (i.opcode == kDecorate && i.words[2] == kNoContraction)
+        if (i.opcode == spv::Op::OpDecorate &&
+            i.words[2] == std::uint32_t(spv::Decoration::NoContraction))
             found.decorated.insert(i.words[1]);
-        if (i.opcode == kTypeVoid && found.first_type == 0) found.first_type = i.begin;
-        if (i.opcode == kFunction) {
+        if (i.opcode == spv::Op::OpTypeVoid && found.first_type == 0) found.first_type = i.begin;
+        if (i.opcode == spv::Op::OpFunction) {
             of_function.clear();
             may_contract = false;
         }
-        if (i.opcode == kVariable && markers.contains(i.words[2])) may_contract = true;
+        if (i.opcode == spv::Op::OpVariable && markers.contains(i.words[2])) may_contract = true;
         if (is_arithmetic(i.opcode)) of_function.push_back(i.words[2]);
-        if (i.opcode == kFunctionEnd && !may_contract)
+        if (i.opcode == spv::Op::OpFunctionEnd && !may_contract)
             found.exact.insert(of_function.begin(), of_function.end());
     });
 }
@@ -96,7 +96,9 @@ Words forbid_contraction(const Words& module, const Findings& found) {
     Words decorations;
     for (const std::uint32_t id : found.exact)
         if (!found.decorated.contains(id))
-            decorations.insert(decorations.end(), {3u << 16 | kDecorate, id, kNoContraction});
+            decorations.insert(decorations.end(),
+                               {3u << spv::WordCountShift | std::uint32_t(spv::Op::OpDecorate), id,
+                                std::uint32_t(spv::Decoration::NoContraction)});
     Words result = module;
     result.insert(result.begin() + std::ptrdiff_t(found.first_type), decorations.begin(),
                   decorations.end());
@@ -136,7 +138,7 @@ int main(int argc, char** argv) {
     const Words module = read_words(argv[1]);
     Findings found;
     if (!read(module, found) || found.first_type == 0) {
-        std::fprintf(stderr, "embed_spirv: %s is no SPIR-V\n", argv[1]);
+        std::fprintf(stderr, "embed_spirv: %s is not SPIR-V\n", argv[1]);
         return 1;
     }
     const Words exact = forbid_contraction(module, found);

@@ -1,11 +1,12 @@
-// The shaders as they are embedded: nothing that decides where a ray goes may be contracted. That
-// can't be seen on lavapipe, which contracts nothing.
+// The shaders as they are embedded: nothing that decides where a ray goes may be contracted.
+// Pictures drawn by lavapipe would not show it, because lavapipe contracts nothing.
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <map>
 #include <set>
 #include <span>
+#include <spirv/unified1/spirv.hpp11>
 #include <string>
 
 #include "shaders/anyhit_rahit.h"
@@ -17,10 +18,18 @@ namespace hm {
 
 namespace {
 
-// SPIR-V's opcodes: floating-point sums, products and what consists of them.
-const std::set<std::uint32_t> kContractible = {127, 129, 131, 133, 142, 143,
-                                               144, 145, 146, 147, 148};
-constexpr std::uint32_t kName = 5, kFunction = 54, kDecorate = 71, kNoContraction = 42;
+// Floating-point sums, products and what consists of them.
+const std::set<spv::Op> kContractible = {spv::Op::OpFNegate,
+                                         spv::Op::OpFAdd,
+                                         spv::Op::OpFSub,
+                                         spv::Op::OpFMul,
+                                         spv::Op::OpVectorTimesScalar,
+                                         spv::Op::OpMatrixTimesScalar,
+                                         spv::Op::OpVectorTimesMatrix,
+                                         spv::Op::OpMatrixTimesVector,
+                                         spv::Op::OpMatrixTimesMatrix,
+                                         spv::Op::OpOuterProduct,
+                                         spv::Op::OpDot};
 
 // The names of functions with arithmetic that a device may contract.
 std::set<std::string> contracting(std::span<const std::uint32_t> spirv) {
@@ -28,14 +37,16 @@ std::set<std::string> contracting(std::span<const std::uint32_t> spirv) {
     std::set<std::uint32_t> exact;
     std::set<std::string> found;
     std::string function;
-    for (std::size_t at = 5; at < spirv.size(); at += spirv[at] >> 16) {
-        const std::uint32_t code = spirv[at] & 0xffffu;
-        if (code == kName) {
+    for (std::size_t at = 5; at < spirv.size(); at += spirv[at] >> spv::WordCountShift) {
+        const spv::Op code = spv::Op(spirv[at] & spv::OpCodeMask);
+        if (code == spv::Op::OpName) {
             const std::string name(reinterpret_cast<const char*>(&spirv[at + 2]));
             names[spirv[at + 1]] = name.substr(0, name.find('('));  // without its argument types
         }
-        if (code == kDecorate && spirv[at + 2] == kNoContraction) exact.insert(spirv[at + 1]);
-        if (code == kFunction) function = names[spirv[at + 2]];
+        if (code == spv::Op::OpDecorate &&
+            spirv[at + 2] == std::uint32_t(spv::Decoration::NoContraction))
+            exact.insert(spirv[at + 1]);
+        if (code == spv::Op::OpFunction) function = names[spirv[at + 2]];
         if (kContractible.contains(code) && !exact.contains(spirv[at + 2])) found.insert(function);
     }
     return found;

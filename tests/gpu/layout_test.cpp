@@ -1,134 +1,143 @@
-// The structs that a GPU reads are laid out there as in C++: the offsets, strides and sizes that
-// the GLSL compiler wrote into the SPIR-V of layout.comp, against offsetof and sizeof.
+// The path tracer's stages as they were compiled: bindings, structs and payloads lie where C++ puts
+// them. Structs are declared once for both languages (shading/structs.h, gpu/tables.h), so members
+// come in the same order; where they have no gaps in GLSL and the sizes agree, all offsets do.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <fstream>
-#include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "gpu/spirv_layout.h"
-#include "shaders/layout_comp.h"
-#include "shading/structs.h"
+#include "gpu/tables.h"
+#include "shaders/anyhit_rahit.h"
+#include "shaders/bare_trace_rgen.h"
+#include "shaders/closesthit_rchit.h"
+#include "shaders/miss_rmiss.h"
+#include "shaders/reference_view_aovs.h"
+#include "shaders/reference_view_record.h"
+#include "shaders/reference_view_rgen.h"
+#include "shaders/shadow_anyhit.h"
+#include "shaders/shadow_miss_rmiss.h"
+#include "shading/path/types.h"
 
 namespace hm {
 
 namespace {
 
-struct Expected {
-    std::size_t size;
-    std::map<std::string, std::size_t> offsets;
+using Sizes = std::map<std::string, std::size_t>;
+
+// A member that C++ aligned to more than 4 bytes could leave a gap that GLSL has not.
+template <class T>
+constexpr std::size_t size_of() {
+    static_assert(alignof(T) == 4);
+    return sizeof(T);
+}
+#define HM_SIZE(Struct) \
+    { #Struct, size_of < Struct>() }
+
+// Structs that some stage reads from a buffer.
+const Sizes kStructs = {
+    HM_SIZE(MaterialData),  HM_SIZE(TextureUse),      HM_SIZE(Vertex),
+    HM_SIZE(VertexExtra),   HM_SIZE(GeometryData),    HM_SIZE(InstanceData),
+    HM_SIZE(LightData),     HM_SIZE(AliasEntry),      HM_SIZE(EmitterTriangle),
+    HM_SIZE(CameraData),    HM_SIZE(EnvironmentData), HM_SIZE(LightRange),
+    HM_SIZE(RenderParams),  HM_SIZE(AovParams),       HM_SIZE(GeometryAddresses),
+    HM_SIZE(TraceRange),    HM_SIZE(AovAddresses),    HM_SIZE(SampleHit),
+    HM_SIZE(TraceCounters), HM_SIZE(RecordedRay),     HM_SIZE(RecordedCounts),
+    HM_SIZE(BareRange),
 };
 
-#define HM_MEMBER(Struct, member) \
-    { #member, offsetof(Struct, member) }
-
-const std::map<std::string, Expected> kExpected = {
-    {"MaterialData",
-     {sizeof(MaterialData),
-      {HM_MEMBER(MaterialData, base_color_factor), HM_MEMBER(MaterialData, emissive_factor),
-       HM_MEMBER(MaterialData, specular_weight), HM_MEMBER(MaterialData, metallic_factor),
-       HM_MEMBER(MaterialData, roughness_factor), HM_MEMBER(MaterialData, normal_scale),
-       HM_MEMBER(MaterialData, occlusion_strength), HM_MEMBER(MaterialData, base_color_texture),
-       HM_MEMBER(MaterialData, emissive_texture),
-       HM_MEMBER(MaterialData, metallic_roughness_texture), HM_MEMBER(MaterialData, normal_texture),
-       HM_MEMBER(MaterialData, occlusion_texture), HM_MEMBER(MaterialData, alpha_cutoff),
-       HM_MEMBER(MaterialData, alpha_mode), HM_MEMBER(MaterialData, flags)}}},
-    {"TextureUse",
-     {sizeof(TextureUse),
-      {HM_MEMBER(TextureUse, image), HM_MEMBER(TextureUse, wrap_u), HM_MEMBER(TextureUse, wrap_v),
-       HM_MEMBER(TextureUse, filter_mode), HM_MEMBER(TextureUse, uv_set),
-       HM_MEMBER(TextureUse, uv_row_u), HM_MEMBER(TextureUse, uv_row_v)}}},
-    {"Vertex",
-     {sizeof(Vertex),
-      {HM_MEMBER(Vertex, position), HM_MEMBER(Vertex, normal), HM_MEMBER(Vertex, tangent),
-       HM_MEMBER(Vertex, uv0)}}},
-    {"VertexExtra",
-     {sizeof(VertexExtra), {HM_MEMBER(VertexExtra, uv1), HM_MEMBER(VertexExtra, color)}}},
-    {"GeometryData",
-     {sizeof(GeometryData),
-      {HM_MEMBER(GeometryData, material), HM_MEMBER(GeometryData, flags),
-       HM_MEMBER(GeometryData, emitter_offset), HM_MEMBER(GeometryData, triangle_count)}}},
-    {"InstanceData",
-     {sizeof(InstanceData),
-      {HM_MEMBER(InstanceData, object_to_world), HM_MEMBER(InstanceData, world_to_object),
-       HM_MEMBER(InstanceData, first_geometry), HM_MEMBER(InstanceData, first_emitter),
-       HM_MEMBER(InstanceData, flags), HM_MEMBER(InstanceData, mesh)}}},
-    {"LightData",
-     {sizeof(LightData),
-      {HM_MEMBER(LightData, position), HM_MEMBER(LightData, direction), HM_MEMBER(LightData, color),
-       HM_MEMBER(LightData, range), HM_MEMBER(LightData, spot_scale),
-       HM_MEMBER(LightData, spot_offset), HM_MEMBER(LightData, kind)}}},
-    {"AliasEntry",
-     {sizeof(AliasEntry),
-      {HM_MEMBER(AliasEntry, threshold), HM_MEMBER(AliasEntry, alias),
-       HM_MEMBER(AliasEntry, pdf_self), HM_MEMBER(AliasEntry, pdf_alias)}}},
-    {"EmitterTriangle",
-     {sizeof(EmitterTriangle),
-      {HM_MEMBER(EmitterTriangle, p0), HM_MEMBER(EmitterTriangle, p1),
-       HM_MEMBER(EmitterTriangle, p2), HM_MEMBER(EmitterTriangle, instance),
-       HM_MEMBER(EmitterTriangle, geometry), HM_MEMBER(EmitterTriangle, primitive)}}},
-    {"CameraData",
-     {sizeof(CameraData),
-      {HM_MEMBER(CameraData, origin), HM_MEMBER(CameraData, right), HM_MEMBER(CameraData, up),
-       HM_MEMBER(CameraData, forward), HM_MEMBER(CameraData, half_width),
-       HM_MEMBER(CameraData, half_height), HM_MEMBER(CameraData, lens_radius),
-       HM_MEMBER(CameraData, focus_distance), HM_MEMBER(CameraData, kind)}}},
-    {"EnvironmentData",
-     {sizeof(EnvironmentData),
-      {HM_MEMBER(EnvironmentData, width), HM_MEMBER(EnvironmentData, height),
-       HM_MEMBER(EnvironmentData, u_offset), HM_MEMBER(EnvironmentData, intensity)}}},
-    {"LightRange",
-     {sizeof(LightRange),
-      {HM_MEMBER(LightRange, begin), HM_MEMBER(LightRange, end), HM_MEMBER(LightRange, scale_int),
-       HM_MEMBER(LightRange, scale_frac), HM_MEMBER(LightRange, pdf)}}},
-    {"AovParams",
-     {sizeof(AovParams),
-      {HM_MEMBER(AovParams, light_groups), HM_MEMBER(AovParams, replicates),
-       HM_MEMBER(AovParams, moves), HM_MEMBER(AovParams, next_camera)}}},
-    {"RenderParams",
-     {sizeof(RenderParams),
-      {HM_MEMBER(RenderParams, width), HM_MEMBER(RenderParams, height),
-       HM_MEMBER(RenderParams, seed), HM_MEMBER(RenderParams, sampler_kind),
-       HM_MEMBER(RenderParams, max_bounces), HM_MEMBER(RenderParams, max_radiance),
-       HM_MEMBER(RenderParams, strategy), HM_MEMBER(RenderParams, energy_compensation),
-       HM_MEMBER(RenderParams, diffuse_kind), HM_MEMBER(RenderParams, background),
-       HM_MEMBER(RenderParams, background_color), HM_MEMBER(RenderParams, filter_width),
-       HM_MEMBER(RenderParams, environment_range), HM_MEMBER(RenderParams, punctual_range),
-       HM_MEMBER(RenderParams, emitter_range), HM_MEMBER(RenderParams, light_count),
-       HM_MEMBER(RenderParams, emitter_count)}}},
+const Sizes kTables = {
+#define HM_TABLE(number, Type, name) {#name "_table", size_of<Type>()},
+#include "shading/tables.inl"
 };
 
-#undef HM_MEMBER
+const std::map<std::string, std::uint32_t> kBindings = {
+    {"FrameValues", kFrameBinding},
+    {"GeometryArrays", kGeometryAddressesBinding},
+#define HM_TABLE(number, Type, name) {#name "_table", kFirstTableBinding + number},
+#include "shading/tables.inl"
+};
 
-TEST(Layout, AgreesWithTheShaders) {
-    const auto layouts = test::read_struct_layouts(shaders::layout_comp());
-    for (const auto& [name, cpp] : kExpected) {
-        SCOPED_TRACE(name);
-        ASSERT_TRUE(layouts.contains(name)) << "layout.comp does not use it";
-        const test::StructLayout& glsl = layouts.at(name);
-        EXPECT_EQ(glsl.array_stride, cpp.size);
-        EXPECT_EQ(glsl.offsets, cpp.offsets);
-        for (const auto& [member, stride] : glsl.matrix_strides)
-            EXPECT_EQ(stride, sizeof(vec3)) << member;
+std::vector<std::span<const std::uint32_t>> modules() {
+    return {shaders::reference_view_rgen(), shaders::closesthit_rchit(),
+            shaders::miss_rmiss(),          shaders::anyhit_rahit(),
+            shaders::reference_view_aovs(), shaders::reference_view_record(),
+            shaders::bare_trace_rgen()};
+}
+
+TEST(Layout, StructsLieAsInCpp) {
+    std::set<std::string> seen;
+    for (const std::span<const std::uint32_t> module : modules())
+        for (const auto& [name, layout] : test::read_structs(module)) {
+            const auto known = kStructs.find(name);
+            if (known == kStructs.end()) continue;
+            SCOPED_TRACE(name);
+            seen.insert(name);
+            EXPECT_FALSE(layout.has_gaps);
+            EXPECT_EQ(layout.size, known->second);
+            if (layout.row_bytes != 0) {
+                EXPECT_EQ(layout.row_bytes, known->second);
+            }
+        }
+    for (const auto& [name, size] : kStructs)
+        EXPECT_TRUE(seen.contains(name)) << name << " is in no buffer";
+}
+
+// A struct that somebody adds must enter kStructs.
+TEST(Layout, EveryStructIsCompared) {
+    const char* root = std::getenv("HIMALAYA_SOURCE_DIR");
+    const std::regex pattern(R"(\nstruct (\w+) \{)");
+    for (const char* file : {"/src/shading/structs.h", "/src/gpu/tables.h"}) {
+        std::stringstream text;
+        text << std::ifstream(std::string(root != nullptr ? root : ".") + file).rdbuf();
+        const std::string source = text.str();
+        std::size_t found = 0;
+        for (std::sregex_iterator it(source.begin(), source.end(), pattern), end; it != end; ++it) {
+            const std::string name = (*it)[1];
+            EXPECT_TRUE(name == "FrameData" || kStructs.contains(name)) << name;
+            ++found;
+        }
+        EXPECT_GT(found, 0u) << file;
     }
 }
 
-// A struct that somebody adds must enter the table above.
-TEST(Layout, EveryStructIsCompared) {
-    const char* root = std::getenv("HIMALAYA_SOURCE_DIR");
-    std::ifstream file(std::string(root != nullptr ? root : ".") + "/src/shading/structs.h");
-    std::stringstream text;
-    text << file.rdbuf();
-    const std::string source = text.str();
-    const std::regex pattern(R"(\nstruct (\w+) \{)");
-    std::size_t found = 0;
-    for (std::sregex_iterator it(source.begin(), source.end(), pattern), end; it != end; ++it) {
-        EXPECT_TRUE(kExpected.contains((*it)[1])) << (*it)[1];
-        ++found;
-    }
-    EXPECT_EQ(found, kExpected.size());
+TEST(Layout, TablesAreWhereTheyAreBound) {
+    std::set<std::string> seen;
+    for (const std::span<const std::uint32_t> module : modules())
+        for (const auto& [name, block] : test::read_blocks(module)) {
+            if (block.set != 0) continue;
+            SCOPED_TRACE(name);
+            ASSERT_TRUE(kBindings.contains(name));
+            seen.insert(name);
+            EXPECT_EQ(block.binding, kBindings.at(name));
+            if (kTables.contains(name)) {
+                EXPECT_EQ(block.row_bytes, kTables.at(name));
+            }
+        }
+    for (const auto& [name, binding] : kBindings)
+        EXPECT_TRUE(seen.contains(name)) << "no stage reads " << name;
+    const test::StructLayout frame = test::read_structs(shaders::miss_rmiss()).at("FrameValues");
+    EXPECT_FALSE(frame.has_gaps);
+    EXPECT_EQ(frame.size, sizeof(FrameData));
+}
+
+TEST(Layout, PayloadsAreContractsBetweenStages) {
+    const Sizes path = {{"PathPayload", sizeof(PathPayload)}};
+    const Sizes shadow = {{"ShadowPayload", sizeof(ShadowPayload)}};
+    const Sizes both = {{"PathPayload", sizeof(PathPayload)},
+                        {"ShadowPayload", sizeof(ShadowPayload)}};
+    EXPECT_EQ(test::read_payload_sizes(shaders::reference_view_rgen()), both);
+    EXPECT_EQ(test::read_payload_sizes(shaders::closesthit_rchit()), path);
+    EXPECT_EQ(test::read_payload_sizes(shaders::miss_rmiss()), path);
+    EXPECT_EQ(test::read_payload_sizes(shaders::anyhit_rahit()), path);
+    EXPECT_EQ(test::read_payload_sizes(shaders::shadow_anyhit()), shadow);
+    EXPECT_EQ(test::read_payload_sizes(shaders::shadow_miss_rmiss()), shadow);
+    EXPECT_EQ(offsetof(PathPayload, key), 0u);
+    EXPECT_EQ(offsetof(ShadowPayload, key), 0u);
 }
 
 }  // namespace

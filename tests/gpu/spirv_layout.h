@@ -1,26 +1,34 @@
-// How a SPIR-V module lays out the structs of its buffers: the few instructions of the binary that
-// say so (SPIR-V specification 1.5, sections 2.3, 3.32 and 3.20).
+// How a SPIR-V module lays out its buffers and payloads, as SPIRV-Cross reads it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
 #include <string>
-
-#include "gpu/compute.h"
+#include <vector>
 
 namespace hm::test {
 
 struct StructLayout {
-    std::map<std::string, std::size_t> offsets;         // of members, bytes
-    std::map<std::string, std::size_t> matrix_strides;  // of members that are matrices
-    std::size_t array_stride = 0;  // of arrays of this struct; 0: there is none
+    std::size_t size = 0;       // to the end of the last member
+    std::size_t row_bytes = 0;  // the stride of arrays of this struct; 0: there is none
+    bool has_gaps = false;      // between members, in the order of the declaration
 };
 
-// Bytes of the payloads that a ray-tracing stage declares, by the struct's name; booleans count 4.
-std::map<std::string, std::size_t> read_payload_sizes(std::span<const std::uint32_t> spirv);
+// Structs that lie in buffers, by name.
+std::map<std::string, StructLayout> read_structs(std::span<const std::uint32_t> spirv);
 
-// By the struct's name. Structs without offsets, which no buffer holds, are left out.
-std::map<std::string, StructLayout> read_struct_layouts(std::span<const std::uint32_t> spirv);
+struct BlockLayout {
+    std::uint32_t set = 0;
+    std::uint32_t binding = 0;
+    std::size_t row_bytes = 0;  // of the array that is its last member; 0: it is not an array
+};
+
+// Uniform and storage blocks that the module uses, by name.
+std::map<std::string, BlockLayout> read_blocks(std::span<const std::uint32_t> spirv);
+
+// Bytes of the ray payloads that a stage declares, by the struct's name; booleans count 4.
+std::map<std::string, std::size_t> read_payload_sizes(std::span<const std::uint32_t> spirv);
 
 }  // namespace hm::test
