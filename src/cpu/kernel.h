@@ -31,7 +31,7 @@ struct KernelTables {
     float* planes[kPlaneCount];         // of the film, from its first pixel; null: not requested
     const uint* source_groups;          // of each source of light
     const mat4x3* next_transforms;      // per instance, at the next frame
-    const vec3* const* next_positions;  // per geometry; null: its vertices stay
+    const vec3* const* next_positions;  // per geometry; null: its vertices do not move
 };
 
 struct KernelHit {
@@ -49,7 +49,7 @@ struct KernelTile {
     // For the builds with AOVs:
     std::size_t first_pixel;  // where `pixels` begins in the film
     KernelHit* hits;  // what each sample hits: for each pixel of the tile, row by row, one per
-                      // sample. Left as it is for those that hit nothing. Null: not asked for
+                      // sample; unchanged for samples that hit nothing. Null: not requested
     uint rays;        // out
     uint non_finite;  // out
 };
@@ -57,7 +57,7 @@ struct KernelTile {
 }  // namespace hm
 
 extern "C" {
-// Arguments are hm::KernelTables and hm::KernelTile, whatever hm is called there.
+// Arguments are hm::KernelTables and hm::KernelTile; hm has another name in the kernels' builds.
 using hm_render_tile = void(const void* tables, void* tile);
 hm_render_tile hm_render_tile_baseline, hm_render_tile_baseline_aovs;
 #if defined(__x86_64__)

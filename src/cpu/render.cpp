@@ -171,7 +171,7 @@ void CpuRenderer::Impl::render_tile(KernelTile& tile) {
         isa.render_tile_aovs(&tables, &tile);
         return;
     }
-    // A part of the samples at a time, so that what they hit stays small.
+    // A part of the samples at a time, so that the list of hits stays small.
     constexpr std::uint32_t kSamplesAtOnce = 64;
     const std::uint32_t end = tile.sample_end;
     const std::size_t pixels = std::size_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0);
@@ -191,8 +191,9 @@ void CpuRenderer::Impl::render_tile(KernelTile& tile) {
     tile.non_finite = non_finite;
 }
 
-// Adds what the tile's pixels lack of its samples. All have as many, since tiles are drawn whole; a
-// film from elsewhere may have been cut otherwise, and then goes pixel by pixel.
+// Adds the samples that the tile's pixels lack. All have the same number, because tiles are
+// rendered whole; a film from elsewhere may have been split differently, and is completed pixel by
+// pixel.
 void CpuRenderer::Impl::complete(KernelTile tile, RenderCounters& counters) {
     const PixelRect& crop = film->crop;
     tile.stride = crop.width();

@@ -10,7 +10,7 @@
 
 namespace hm {
 
-// "baseline", "avx2" or "avx512": what the stages run as on this processor.
+// The build of the stages for this processor: "baseline", "avx2" or "avx512".
 std::string cpu_instruction_set();
 
 class CpuRenderer final : public Renderer {
@@ -21,7 +21,7 @@ class CpuRenderer final : public Renderer {
 
     std::string device() const override;  // "CPU (avx512)"
     Result<void> begin(const RenderJob& job, Film& film) override;
-    // Returns early whole tiles at a time. The same bits whatever the threads.
+    // Cancelling finishes the tiles in progress. Bits do not depend on the number of threads.
     Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
                         const std::atomic<bool>& cancel) override;
     Result<void> sync() override { return {}; }

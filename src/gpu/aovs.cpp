@@ -20,7 +20,7 @@ uvec2 address_words(const rhi::Buffer& buffer) {
     return uvec2(std::uint32_t(buffer.address()), std::uint32_t(buffer.address() >> 32));
 }
 
-// None for no values.
+// No buffer for no values.
 template <class T>
 Result<rhi::Buffer> upload_values(rhi::Device& device, rhi::Uploader& uploader, const char* name,
                                   std::span<const T> values) {
@@ -45,7 +45,7 @@ Result<GpuAovs> GpuAovs::create(rhi::Device& device, const FlatScene& scene, con
         table.addresses.planes[plane.plane] = address_words(values);
         out.planes_.push_back(std::move(values));
     }
-    // Somebody may look up a group where nobody asked for any: never an empty buffer.
+    // Shaders may look up a group even if none was requested: never an empty buffer.
     std::vector<std::uint32_t> groups = tables.source_groups;
     groups.resize(std::max<std::size_t>(groups.size(), 4));
     HM_TRY_ASSIGN(out.source_groups_,

@@ -1,5 +1,5 @@
-// AOVs on a device: the film's planes by device address, what the AOV build of the path tracer
-// reads beside a scene, and what its samples hit.
+// AOVs on a device: the film's planes by device address, the tables of the AOV build of
+// the path tracer, and what its samples hit.
 #pragma once
 
 #include <span>
@@ -15,14 +15,14 @@ namespace hm {
 
 class GpuAovs {
   public:
-    // With the values that the film's planes have now.
+    // Starts from the current values of the film's planes.
     static Result<GpuAovs> create(rhi::Device& device, const FlatScene& scene, const RenderJob& job,
                                   const Film& film);
 
     const rhi::Buffer& table() const { return table_; }  // AovParams and AovAddresses
     const rhi::Buffer& source_groups() const { return source_groups_; }
     std::span<const rhi::Buffer> planes() const { return planes_; }  // as the film's
-    // Values for the film's planes.
+    // In the order of the film's planes.
     Result<std::vector<std::vector<float>>> download(rhi::Device& device) const;
 
   private:
@@ -34,10 +34,10 @@ class GpuAovs {
     std::vector<rhi::Buffer> planes_;
 };
 
-// Samples of a submission whose hits are noted: what the notes have room for.
+// Samples of a submission whose hits are recorded: the capacity of the hit buffer.
 inline constexpr std::uint64_t kNotedSamples = 1u << 22;
 
-// Counts in `ids`, of the film's pixels, what a batch hit. surfaces: first_surfaces
+// Counts the hits of a batch in `ids`, which is per pixel of the film. surfaces: first_surfaces
 // (scene/surface_names).
 void count_hits(std::span<const SampleHit> hits, const Batch& batch, std::uint32_t width,
                 std::span<const std::uint32_t> surfaces, std::vector<IdList>& ids);

@@ -8,10 +8,10 @@ namespace {
 // The first submission, for a device of unknown speed.
 constexpr double kFirstBudget = 1 << 14;
 
-// Rows differ in cost: a budget grows by no more than this at a time.
+// Rows differ in cost, so a budget grows by at most this factor at a time.
 constexpr double kGrowth = 4;
 
-// A batch that ran for less says little about how fast its samples were drawn.
+// The time of a shorter batch says little about the time of its samples.
 constexpr double kTellingMilliseconds = 2;
 
 }  // namespace

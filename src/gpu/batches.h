@@ -1,7 +1,7 @@
-// How much work one submission gets: rows of the picture times samples, so that it runs for about
-// kBatchMilliseconds: long enough to fill a device, short enough that no driver times out and that
-// cancelling is quick. And whether its samples share a launch. Plain data; what time shows decides
-// nothing but where a picture is split, which changes none of its bits.
+// How much work one submission gets (rows of the picture times samples), so that it runs for about
+// kBatchMilliseconds: long enough to fill a device, short enough that no driver times out and
+// cancelling is quick. And whether its samples share a launch. Plain data; timings only decide
+// where a picture is split, which changes none of its bits.
 #pragma once
 
 #include <array>
@@ -28,19 +28,19 @@ struct Batch {
     }
 };
 
-// Learns from batches how many samples of a pixel fit the time, for either way of launching them,
-// and which is the faster.
+// Learns from timings how many samples of a pixel fit a batch with either way of launching them,
+// and which way is faster.
 class BatchSizer {
   public:
     BatchSizer() = default;
-    // max_samples: of all pixels of one batch together.
+    // max_samples: in one batch, over all its pixels.
     BatchSizer(std::uint32_t width, std::uint32_t height, std::uint64_t max_samples);
 
     // Batches in the order in which they were cut.
     void learn(const Batch& batch, double milliseconds);
     // Of the next batch.
     Launches next_launches() { return launches_.next(); }
-    // How many rows, and of those how many samples where that is all rows.
+    // How many rows, and if that is all rows, how many samples of each pixel.
     std::uint32_t rows(Launches launches) const;
     std::uint32_t samples(Launches launches) const;
     std::optional<Launches> decided() const { return launches_.decided(); }
@@ -53,8 +53,8 @@ class BatchSizer {
     LaunchChoice launches_;
 };
 
-// Cuts [begin, end) of all rows into batches: several samples of all rows, or where one sample of
-// all is too much, one sample band by band.
+// Cuts [begin, end) of all rows into batches: several samples of all rows, or, if one sample of
+// all rows is too much, bands of rows of one sample.
 class BatchCutter {
   public:
     BatchCutter(std::uint32_t height, std::uint32_t begin, std::uint32_t end)

@@ -1,4 +1,4 @@
-// Batches cover every sample of every row once and in order, whatever the times say.
+// Batches cover every sample of every row once and in order, whatever the timings.
 #include "gpu/batches.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(Batches, NoLaunchIsLargerThanTheDeviceTakes) {
     EXPECT_EQ(sizer.rows(Launches::loop), 50u);
 }
 
-// Whole pictures of 40 ms tell which way of launching is faster, and none takes longer, however
+// Whole pictures of 40 ms show which way of launching is faster, and no batch takes longer, however
 // slow the other way is.
 TEST(Batches, TheFasterWayOfLaunchingIsFoundInTime) {
     for (const double ratio : {0.1, 0.9, 1.1, 20.0}) {
@@ -85,7 +85,7 @@ TEST(Batches, TheFasterWayOfLaunchingIsFoundInTime) {
     }
 }
 
-// Where one sample is a band or the whole batch, the two ways are one.
+// Where a batch is one sample or a band of one, both ways of launching are the same.
 TEST(Batches, SingleSamplesTellNothingOfLaunches) {
     BatchSizer sizer(1920, 1080, 1u << 30);
     BatchCutter cutter(1080, 0, 40);

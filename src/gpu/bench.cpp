@@ -28,8 +28,8 @@ Result<double> timed_ms(rhi::Device& device, rhi::Timestamps& timestamps, const 
 }
 
 // The median of the device's milliseconds for one run of what `record` records. The runs before
-// are not counted: an idle card's clock needs a while of work to rise (seen: a fourth of its rate
-// for the first 0.3 s), and compiling a pipeline leaves it idle.
+// are not counted: an idle card's clock takes some time to rise (measured: a fourth of the rate for
+// the first 0.3 s), and the card is idle while a pipeline compiles.
 Result<double> median_ms(rhi::Device& device, std::uint32_t repeats, const Record& record) {
     constexpr double kWarmMilliseconds = 500;
     HM_TRY_ASSIGN(rhi::Timestamps timestamps, rhi::Timestamps::create(device, "bench", 2));
@@ -46,7 +46,7 @@ Result<double> median_ms(rhi::Device& device, std::uint32_t repeats, const Recor
     return times.empty() ? 0.0 : times[times.size() / 2];
 }
 
-// What the path tracer writes, in layout general; what was there does not matter.
+// What the path tracer writes, in layout general; the earlier contents do not matter.
 struct Scratch {
     rhi::Image accumulation;
     rhi::Image removed;
@@ -92,7 +92,7 @@ TraceRange first_samples(std::uint32_t count) {
     return range;
 }
 
-// How several samples of each pixel may be drawn.
+// How several samples of each pixel may be launched.
 struct Way {
     const char* name;
     Launches launches;

@@ -1,4 +1,4 @@
-// How fast a device traces: whole paths, and the bare rays that they consist of.
+// Measures how fast a device traces whole paths, and the bare rays that they consist of.
 #pragma once
 
 #include "film/renderer.h"

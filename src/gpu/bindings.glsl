@@ -26,21 +26,25 @@ layout(scalar, set = 0, binding = kGeometryAddressesBinding) readonly buffer Geo
         readonly buffer name##_table { Type name[]; };
 #include "shading/tables.inl"
 
+// The bits of a setting, or this where the pipeline leaves it to the frame's values.
+const uint kFromFrame = 0xffffffffu;
+#define HM_SETTING(id, name, usual) layout(constant_id = id) const uint fixed_##name = kFromFrame;
+#include "gpu/passes/path_tracing/settings.inl"
+
+uint fixed_or(uint bits, uint value) {
+    return bits == kFromFrame ? value : bits;
+}
+float fixed_or(uint bits, float value) {
+    return bits == kFromFrame ? value : uintBitsToFloat(bits);
+}
+
 RenderParams params;
 
-// The first thing that every stage does. In the build HM_USUAL the settings that nearly all pictures
-// have are constants, and what serves others falls away: about a tenth faster on an H100.
-// gpu/renderer.cpp chooses it (is_usual).
+// Must be called first in every stage.
 void load_params() {
     params = frame_params;
-#ifdef HM_USUAL
-    params.sampler_kind = kSamplerSobolOwen;
-    params.max_radiance = 0.0f;
-    params.strategy = kStrategyMis;
-    params.energy_compensation = 1u;
-    params.diffuse_kind = kDiffuseLambert;
-    params.background = kBackgroundEnvironment;
-#endif
+#define HM_SETTING(id, name, usual) params.name = fixed_or(fixed_##name, frame_params.name);
+#include "gpu/passes/path_tracing/settings.inl"
 }
 
 layout(set = 1, binding = 0) uniform sampler2D scene_images[];

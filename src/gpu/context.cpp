@@ -30,7 +30,7 @@ Result<const BareTracePass*> GpuContext::bare_trace() {
     return &*bare_trace_;
 }
 
-// Without the file pictures are the same, and the next run compiles again.
+// A failure is a warning: the next run compiles again, and pictures are the same.
 void GpuContext::save_cache() {
     const Result<void> saved = cache_.save();
     if (saved) return;

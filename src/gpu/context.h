@@ -1,4 +1,4 @@
-// What all scenes that one device draws share: the device itself, the layouts of the descriptor
+// What all scenes rendered by one device share: the device itself, the layouts of the descriptor
 // sets and the compiled pipelines.
 #pragma once
 
@@ -19,7 +19,8 @@ namespace hm {
 class GpuContext {
   public:
     // cache_folder: where compiled pipelines are kept between runs (rhi::default_cache_folder());
-    // empty keeps none. `diagnostics`, which must outlive the context, hears where that fails.
+    // empty keeps none. `diagnostics`, which must outlive the context, gets a warning if that
+    // fails.
     static Result<std::unique_ptr<GpuContext>> create(std::unique_ptr<rhi::Device> device,
                                                       const std::filesystem::path& cache_folder,
                                                       Diagnostics& diagnostics);
@@ -27,7 +28,7 @@ class GpuContext {
     rhi::Device& device() { return *device_; }
     const SceneLayouts& layouts() const { return layouts_; }
 
-    // Compiled when first asked for, which takes seconds where the cache has it not.
+    // Compiled on first use, which takes seconds unless the cache has it.
     Result<const PathTracingPass*> path_tracing(PathTracingVariant variant);
     Result<const BareTracePass*> bare_trace();
 

@@ -17,7 +17,7 @@ std::uint64_t aligned(std::uint64_t bytes) {
     return (bytes + kAlignment - 1) / kAlignment * kAlignment;
 }
 
-// A geometry's arrays behind each other, each with one more vertex than the scene has.
+// A geometry's arrays one after the other, each with one vertex more than in the scene.
 struct Placement {
     std::size_t buffer = 0;
     std::uint64_t vertices = 0, extras = 0, triangles = 0, end = 0;  // offsets
@@ -44,8 +44,8 @@ std::vector<Placement> plan_buffers(const FlatScene& scene, std::vector<std::uin
     return placements;
 }
 
-// The builders leave out a triangle with a corner whose x is not a number, and its index stays with
-// it, so the others keep theirs.
+// Builders skip a triangle with a vertex whose x is NaN but count it, so the others keep their
+// indices.
 Vertex no_vertex() {
     Vertex v{};
     v.position = vec3(std::numeric_limits<float>::quiet_NaN());

@@ -13,7 +13,7 @@ namespace hm {
 struct GpuGeometry {
     std::vector<rhi::Buffer> buffers;
     std::vector<GeometryAddresses> addresses;
-    // With the vertex that stands for none, which triangles that no ray hits refer to.
+    // Includes the NaN vertex that degenerate triangles refer to.
     std::vector<std::uint32_t> vertex_counts;
     std::uint64_t degenerate_triangles = 0;
 
@@ -22,7 +22,7 @@ struct GpuGeometry {
                                       const FlatScene& scene);
 };
 
-// What upload will need, to the byte.
+// The exact number of bytes that upload allocates.
 std::uint64_t geometry_bytes(const FlatScene& scene);
 
 }  // namespace hm

@@ -2,7 +2,7 @@
 
 namespace hm {
 
-// The best of five pairs, so that one or two disturbed timings decide nothing.
+// The best of five pairs, so that one or two disturbed timings do not decide.
 constexpr std::uint32_t kWinsNeeded = 3;
 
 Launches LaunchChoice::next() {

@@ -1,4 +1,4 @@
-// The faster way of launching is found from made-up times, also where a clock rises meanwhile.
+// The faster way of launching is found from simulated times, also while a clock rises.
 #include "gpu/launch_choice.h"
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 namespace hm {
 namespace {
 
-// Milliseconds of a submission by its number; nothing where it tells nothing.
+// Milliseconds of a submission by its number; nothing if it was too short to measure.
 using Times = std::function<std::optional<double>(Launches, int)>;
 
-// Draws with two submissions under way, as the renderer does. Returns after how many it was
+// Draws with two submissions in flight, as the renderer does. Returns after how many it was
 // decided.
 int submissions_until_decided(LaunchChoice& choice, const Times& times) {
     std::deque<Launches> under_way;

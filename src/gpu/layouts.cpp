@@ -10,7 +10,7 @@
 namespace hm {
 namespace {
 
-// More images than any scene has.
+// An upper bound on the images of a scene.
 constexpr std::uint32_t kMaxImages = 1u << 16;
 
 constexpr std::uint32_t kTableNumbers[] = {

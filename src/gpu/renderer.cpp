@@ -29,7 +29,7 @@ Result<std::unique_ptr<VulkanRenderer>> VulkanRenderer::create(GpuContext& conte
 }
 
 VulkanRenderer::~VulkanRenderer() {
-    // Nothing is destroyed while it is in use; a lost device has stopped using anything.
+    // Nothing is destroyed while in use; a lost device no longer uses anything.
     (void)context_.device().wait_idle();
 }
 
@@ -93,7 +93,7 @@ Result<void> VulkanRenderer::make_aovs(const RenderJob& job) {
     const bool with_aovs = film_->selection.needs_planes();
     PathTracingVariant variant;
     variant.aovs = with_aovs;
-    variant.usual = !with_aovs && is_usual(job.params);
+    variant.usual = is_usual(job.params);
     variant.reorder = !with_aovs && device.limits().reorders_rays;
     HM_TRY_ASSIGN(pass_, context_.path_tracing(variant));
     aovs_.reset();
@@ -135,7 +135,7 @@ Result<void> VulkanRenderer::declare(Slot& slot) {
     return slot.graph->compile();
 }
 
-// Before the trace all samples have hit nothing; after it the host gets what they did.
+// Before the trace all hits are cleared to kNone; after it they are copied to the host.
 void VulkanRenderer::declare_hits(Slot& slot, graph::Pass& trace) {
     graph::Ref hits = slot.graph->import(slot.hits);
     graph::Pass none = slot.graph->pass("no hits", graph::PassKind::copy);
@@ -202,7 +202,7 @@ Result<void> VulkanRenderer::finish(Slot& slot, RenderCounters& counters) {
     return {};
 }
 
-// The device's counters go round at 2^32, which one submission doesn't come near.
+// The device's counters wrap at 2^32, which is far more than one submission adds.
 void VulkanRenderer::count(const Slot& slot, RenderCounters& counters) {
     TraceCounterRows rows{};
     std::memcpy(rows.data(), slot.counters.mapped().data(), sizeof(rows));
@@ -223,7 +223,7 @@ Result<void> VulkanRenderer::render(std::uint32_t begin, std::uint32_t end,
     BatchCutter cutter(film_->crop.height(), begin, end);
     std::size_t turn = 0;
     for (; !cutter.is_even() || !cancel.load(std::memory_order_relaxed); ++turn) {
-        // The older of the two submissions tells how long the next may be.
+        // The time of the older of the two submissions decides how long the next may be.
         HM_TRY(finish(slots_[turn % 2], counters));
         const std::optional<Batch> batch = cutter.next(sizer_);
         if (!batch) break;

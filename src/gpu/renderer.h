@@ -26,8 +26,8 @@ class VulkanRenderer final : public Renderer {
 
     std::string device() const override;
     Result<void> begin(const RenderJob& job, Film& film) override;
-    // Submissions take about kBatchMilliseconds; `cancel` is looked at between them, except in the
-    // middle of a sample that is drawn band by band.
+    // Submissions take about kBatchMilliseconds; `cancel` is checked between them, except in the
+    // middle of a sample that is rendered in bands.
     Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
                         const std::atomic<bool>& cancel) override;
     Result<void> sync() override;
@@ -36,7 +36,7 @@ class VulkanRenderer final : public Renderer {
     const GpuSceneReport& scene_report() const { return scene_->report(); }
 
   private:
-    // A submission that may be under way while the other is recorded.
+    // A submission that may be in flight while the other is recorded.
     struct Slot {
         std::unique_ptr<graph::Graph> graph;  // for the targets of the last begin
         rhi::Commands commands;

@@ -27,8 +27,8 @@ std::uint64_t table_bytes(const FlatScene& scene) {
     return sum;
 }
 
-// Structures take 50 to 100 bytes a triangle on the drivers we know, and while they are compacted
-// there are two of a batch.
+// Structures take 50 to 100 bytes a triangle on the drivers we know, and during compaction a batch
+// exists twice.
 constexpr std::uint64_t kStructureBytesPerTriangle = 100;
 
 std::uint64_t triangle_count(const FlatScene& scene) {

@@ -29,7 +29,7 @@ struct GpuSceneReport {
 
 class GpuScene {
   public:
-    // A scene that does not fit the device is an error that says how much it needs. `scene` is not
+    // If the scene does not fit the device, the error says how much memory it needs. `scene` is not
     // used afterwards.
     static Result<std::unique_ptr<GpuScene>> create(rhi::Device& device,
                                                     const SceneLayouts& layouts,

@@ -26,9 +26,9 @@ struct StructurePlan {
     std::uint32_t duplicates = 0;  // instances left out
 };
 
-// Left out is an opaque mesh placed twice by the same transform: at equal distances the lower
-// instance wins. Where the inverse of a transform is beyond floats, which drivers compute with, the
-// mesh is built in world space.
+// An opaque mesh placed twice by the same transform gets one instance, because at equal distances
+// the lower instance wins. Where a transform's inverse exceeds the range of floats, with which
+// drivers compute, the mesh is built in world space.
 StructurePlan plan_structures(const FlatScene& scene);
 
 struct SceneStructures {

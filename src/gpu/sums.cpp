@@ -15,7 +15,7 @@ Result<rhi::Image> make_sum_image(rhi::Device& device, const char* name, rhi::Fo
     return rhi::Image::create(device, {name, format, width, height, 1, use});
 }
 
-// Fills an image of layout general with what the film holds.
+// Fills an image of layout general with the film's sums.
 template <class T>
 Result<void> upload(rhi::Device& device, const rhi::Image& image, const std::vector<T>& sums) {
     HM_TRY_ASSIGN(rhi::Uploader uploader, rhi::Uploader::create(device));

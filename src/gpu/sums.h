@@ -15,11 +15,11 @@ class GpuSums {
         std::vector<float> removed;  // empty where nothing clamps
     };
 
-    // With what the film holds. `clamps`: luminance that clamping removes is summed up, too.
+    // Starts from the film's sums. `clamps`: luminance that clamping removes is summed too.
     static Result<GpuSums> create(rhi::Device& device, const Film& film, bool clamps);
 
-    // Both in layout general and of the crop's size, but removed luminance, which is 1 x 1 where
-    // nothing clamps.
+    // Both in layout general and of the crop's size, except that removed luminance is 1 x 1 without
+    // clamping.
     const rhi::Image& accumulation() const { return accumulation_; }
     const rhi::Image& removed() const { return removed_; }
 

@@ -1,4 +1,4 @@
-// What the GPU's tables hold beside the structs of shading/: GLSL and C++ at once, layout(scalar).
+// Structs of the GPU's buffers that shading/ does not have: GLSL and C++ at once, layout(scalar).
 #ifndef HM_GPU_TABLES_H
 #define HM_GPU_TABLES_H
 
@@ -27,16 +27,16 @@ struct TraceRange {
     uint first_row;  // of the image; the launch says how many rows
     uint sample_begin;
     uint sample_end;
-    uvec2 hits;          // where the AOV build notes what samples hit; 0: not asked for
-    uint noted_begin;    // there lie those of a pixel's samples from this one on
-    uint noted_samples;  // next to each other
+    uvec2 hits;          // address of the SampleHits that the AOV build writes; 0: not requested
+    uint noted_begin;    // first sample recorded there
+    uint noted_samples;  // of each pixel, consecutive
 };
 
 // What the AOV build of the path tracer reads and writes, by device address.
 struct AovAddresses {
-    uvec2 planes[kPlaneCount];  // of the film, 0 where it has not asked for one
+    uvec2 planes[kPlaneCount];  // of the film; 0: not requested
     uvec2 next_transforms;      // mat4x3, of instances
-    uvec2 next_positions;       // uvec2, of geometries: vec3 of vertices; 0 where they stay
+    uvec2 next_positions;       // uvec2, of geometries: vec3 of vertices; 0: unchanged
 };
 
 // What one sample hit: instance kNone for nothing.
@@ -45,14 +45,14 @@ struct SampleHit {
     uint geometry;  // within the instance's mesh
 };
 
-// Launches count rays and faulty samples into this many rows, so that not all pixels meet at one.
+// Launches count rays and non-finite samples in this many rows, to reduce contention of atomics.
 HM_CONST uint kCounterRows = 256u;
 struct TraceCounters {
     uint rays;
     uint non_finite;
 };
 
-// Rays as the recording build of the path tracer keeps them: ray k of pixel p is at k * pixels + p.
+// Rays as the recording build of the path tracer stores them: ray k of pixel p at k * pixels + p.
 HM_CONST uint kRecordedClosest = 1u;
 HM_CONST uint kRecordedShadow = 2u;
 struct RecordedRay {

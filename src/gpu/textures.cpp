@@ -17,7 +17,7 @@ std::uint64_t bytes_of(const ImageView& image) {
     return std::uint64_t(image.width) * image.height * bytes_per_pixel(PixelFormat(image.format));
 }
 
-// Which images the materials' textures read.
+// The images that materials read.
 std::vector<bool> used_images(const FlatScene& scene) {
     std::vector<bool> used(scene.images.size(), false);
     for (const MaterialData& m : scene.materials)
@@ -31,7 +31,7 @@ std::string name_of(std::size_t image) {
     return "image " + std::to_string(image);
 }
 
-// Before the first image is on its way.
+// Before any image is uploaded.
 Result<void> check_sides(const rhi::Device& device, const FlatScene& scene,
                          const std::vector<bool>& used) {
     const std::uint32_t most = device.limits().max_image_side;
@@ -75,7 +75,7 @@ Result<GpuTextures> GpuTextures::upload(rhi::Device& device, rhi::Uploader& uplo
     const std::vector<bool> used = used_images(scene);
     HM_TRY(check_sides(device, scene, used));
     GpuTextures out;
-    // Shaders fetch texels and filter themselves; a table of images wants a sampler nevertheless.
+    // Shaders fetch texels and filter themselves; but the descriptors need a sampler.
     HM_TRY_ASSIGN(out.sampler_, rhi::Sampler::create(device, {"texel"}));
     HM_TRY_ASSIGN(out.set_, rhi::DescriptorSet::create(device, "textures", layout));
     out.images_.resize(scene.images.size());

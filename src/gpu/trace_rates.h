@@ -20,7 +20,7 @@ struct TraceRates {
     double bare_closest_ms = 0;  // one invocation per ray, of that kind alone
     double bare_shadow_ms = 0;
     double bare_loop_ms = 0;
-    // Several samples of each pixel, by the ways there are: milliseconds of one.
+    // Milliseconds of one sample of each pixel when several are rendered, by way of launching.
     std::uint32_t several = 0;
     std::vector<std::pair<std::string, double>> ways;
 

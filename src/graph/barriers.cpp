@@ -1,4 +1,4 @@
-// What is waited for between passes.
+// The barriers between passes.
 #include "base/check.h"
 #include "graph/plan.h"
 #include "graph/usage.h"
@@ -15,7 +15,7 @@ bool covers(const rhi::Scope& a, const rhi::Scope& b) {
     return (a | b) == a;
 }
 
-// One resource on its way through the steps.
+// The state of one resource from step to step.
 struct Track {
     rhi::Scope written;  // the last write, or what the resource came with
     rhi::Scope readers;  // those that have been made to see it since
@@ -41,7 +41,7 @@ std::vector<std::vector<Use>> find_uses(const Declaration& declaration,
     return uses;
 }
 
-// The reads from `first` on that can share one barrier: up to a write or another layout.
+// The reads from `first` on that can share one barrier: up to a write or a different layout.
 rhi::Scope joint_scope(const std::vector<Use>& uses, std::size_t first) {
     rhi::Scope scope;
     for (std::size_t i = first; i < uses.size(); ++i) {
@@ -51,14 +51,14 @@ rhi::Scope joint_scope(const std::vector<Use>& uses, std::size_t first) {
     return scope;
 }
 
-// Everything that must be over before the resource changes: its readers, who only need to have
-// finished, and where nobody read it the write itself.
+// Everything that must complete before the resource changes: its readers, which only need an
+// execution dependency, or the write itself if nothing read it.
 rhi::Scope before_change(const Track& track) {
     return track.readers.stages != 0 ? rhi::Scope{track.readers.stages, 0} : track.written;
 }
 
-// What a transient image must wait for: whoever had its memory before. The first owner waits for
-// what ran before the graph, which may be the graph itself.
+// What a transient image must wait for: the previous owners of its memory. The first owner waits
+// for the work before the graph, which may be the same graph.
 rhi::Scope memory_before(const Plan& plan, const Declaration& declaration,
                          const std::vector<std::vector<Use>>& uses, std::uint32_t resource) {
     if (!plan.offsets[resource]) return rhi::kEverything;
@@ -134,7 +134,7 @@ class Planner {
 
     void finish(std::uint32_t resource, const State& after, const Track& track) {
         const bool moves = is_image(resource) && track.layout != after.layout;
-        // What comes after may write: it waits for readers too.
+        // Later work may write, so it waits for readers too.
         const rhi::Scope before =
             moves ? before_change(track) : track.written | rhi::Scope{track.readers.stages, 0};
         if (!moves && covers(track.readers, after.scope)) return;

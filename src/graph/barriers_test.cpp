@@ -1,4 +1,4 @@
-// What each access means, and what is waited for between passes.
+// What each access means, and the barriers between passes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

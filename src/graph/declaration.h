@@ -1,7 +1,7 @@
-// What a frame is made of, as plain data: resources, and passes with what they read and write.
+// A frame as plain data: resources, and passes with the resources that they read and write.
 //
 // Resources have versions. A pass reads one version; writing makes the next. So the order of the
-// passes follows from what they say, not from where they stand in the list.
+// passes follows from what they declare, not from their position in the list.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace hm::graph {
 
-// What a pass runs, hence at which stages it touches its resources.
+// What a pass runs, and so the pipeline stages at which it accesses its resources.
 enum class PassKind { compute, trace, copy, build };
 
 enum class AccessKind {
@@ -44,7 +44,7 @@ struct PassDeclaration {
     bool keep = false;  // runs even if nobody wants what it writes
 };
 
-// Where a resource of the outside stands before or must stand after the graph.
+// The state of an imported resource before the graph, or the state that it must have after it.
 struct State {
     rhi::Scope scope = rhi::kEverything;
     rhi::ImageLayout layout = rhi::ImageLayout::general;  // of images; undefined: nothing to keep
@@ -53,11 +53,11 @@ struct State {
 struct ResourceDeclaration {
     std::string name;
     bool is_image = false;
-    // From outside: has contents before, and what is written to it is wanted. Otherwise transient:
-    // there from its first to its last pass.
+    // Imported: has contents before, and what is written to it is kept. Otherwise transient: it
+    // exists from its first to its last pass.
     std::optional<State> before;
     std::optional<State> after;
-    // Of a transient image's memory; 0 gives it no part in the heap.
+    // Of a transient image's memory; 0 places it outside the heap.
     std::uint64_t bytes = 0;
     std::uint64_t alignment = 1;
 

@@ -1,5 +1,5 @@
-// The render graph: passes say what they read and write, and the graph orders them, waits between
-// them and gives transient images memory that others no longer need.
+// The render graph: passes declare what they read and write; the graph orders them, puts barriers
+// between them and lets transient images reuse memory that others no longer need.
 //
 //   Graph graph(device, "frame");
 //   Ref sums = graph.import(accumulation);
@@ -12,7 +12,7 @@
 //   sums = add.updates(sums);
 //   add.records(...);
 //   HM_TRY(graph.compile());
-//   graph.record(commands);   // as often as wanted, into commands that run one after the other
+//   graph.record(commands);   // any number of times, into commands that run in sequence
 #pragma once
 
 #include <functional>
@@ -31,7 +31,7 @@ namespace hm::graph {
 
 class Graph;
 
-// Declares one pass. Each call hands on the version that it leaves behind.
+// Declares one pass. Each call returns the version that the pass leaves behind.
 class Pass {
   public:
     Pass& reads(Ref ref);
@@ -56,8 +56,8 @@ class Graph {
     Graph(const Graph&) = delete;
     Graph& operator=(const Graph&) = delete;
 
-    // From outside, borrowed for the graph's life. The image is in `layout` whenever the graph
-    // begins and ends; everything before and after waits.
+    // Imported resources, which must outlive the graph. The image is in `layout` whenever the graph
+    // begins and ends; barriers order the graph after earlier and before later work.
     Ref import(const rhi::Image& image, rhi::ImageLayout layout = rhi::ImageLayout::general);
     Ref import(const rhi::Buffer& buffer);
     // Transient: made by compile(), without contents until a pass writes them.
@@ -66,7 +66,8 @@ class Graph {
 
     Pass pass(std::string name, PassKind kind);
 
-    // Plans, and makes what is transient. A second time only if something was declared since.
+    // Plans, and creates the transient images. Does nothing if nothing was declared since the last
+    // call.
     Result<void> compile();
     void record(rhi::Commands& commands) const;
 
@@ -76,7 +77,7 @@ class Graph {
 
   private:
     friend class Pass;
-    // Beside the declaration: what stands behind a resource. Transient ones are kept here.
+    // Parallel to the declaration: the buffer or image of a resource. Owns the transient ones.
     struct Resource {
         const rhi::Image* image = nullptr;
         const rhi::Buffer* buffer = nullptr;

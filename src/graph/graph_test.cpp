@@ -74,7 +74,7 @@ rhi::ImageInfo image_info(std::string name) {
 class RhiGraph : public rhi::test::DeviceTest {};
 
 // sums = 10 * (10 * (10 * sums + 1) + 2) + 3 in each run, through transient images that share
-// memory, and then copied out; with a pass that nobody needs.
+// memory, and then copied out; with an unused pass.
 TEST_F(RhiGraph, RunsWhatIsPlanned) {
     const Shaders shaders(device());
     const rhi::Image sums_image = value_of(rhi::Image::create(device(), image_info("sums")));
@@ -130,7 +130,7 @@ TEST_F(RhiGraph, RunsWhatIsPlanned) {
     }
 }
 
-// Two runs in one submission wait for each other, though the graph knows of one.
+// Two runs in one submission wait for each other, although the graph describes only one.
 TEST_F(RhiGraph, RunsTwiceInOneSubmission) {
     const Shaders shaders(device());
     const rhi::Buffer counted =

@@ -1,7 +1,7 @@
-// Every plan of many random graphs is checked against what Vulkan's memory model asks for, by a
-// second way of looking: for each pair of accesses where one writes, a chain of barriers leads from
-// the first's stages to the second's, the first of them makes what was written available, and
-// images are in the layout that each access needs.
+// Plans of many random graphs are checked against Vulkan's memory model independently: for each
+// pair of accesses where one writes, a chain of barriers leads from the first's stages to the
+// second's, the first of them makes what was written available, and images are in the layout that
+// each access needs.
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ struct Random {
     bool chance(std::uint32_t one_in) { return below(one_in) == 0; }
 };
 
-// Images and buffers, from outside and not; passes that use up to four of them, in all ways.
+// Imported and transient images and buffers; passes that access up to four of them in all ways.
 Declaration random_graph(Random& random) {
     Declaration graph;
     std::vector<Ref> newest;
@@ -111,7 +111,7 @@ class Checker {
     }
 
   private:
-    // What happens before and after the graph may have written.
+    // Work before and after the graph may have written.
     static Use outside(std::uint32_t step, const State& state) {
         return {step, AccessKind::read_write, {state.scope, state.layout}};
     }
@@ -123,7 +123,8 @@ class Checker {
         for (const Dependency& d : barriers_[r]) {
             if (d.step <= first.step || d.step > second.step) continue;
             const PlannedBarrier& b = d.barrier;
-            // A barrier that waits for part of what came before leads nowhere.
+            // A barrier that waits for only part of the earlier accesses does not continue the
+            // chain.
             if ((b.before.stages & reached) == 0) continue;
             if ((b.before.access & to_flush) == to_flush) to_flush = 0;
             reached |= b.after.stages;
@@ -178,7 +179,7 @@ TEST(Hazards, EveryOneIsWaitedFor) {
     EXPECT_GT(barriers, steps);
 }
 
-// The check sees a barrier that is not there.
+// The check detects a missing barrier.
 TEST(Hazards, AMissingBarrierIsSeen) {
     Declaration graph;
     graph.resources.push_back({.name = "image", .is_image = true, .bytes = 1});

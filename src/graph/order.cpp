@@ -16,7 +16,7 @@ namespace {
 
 using PassIndex = std::uint32_t;
 
-// Who makes and who reads one version of a resource.
+// The writer and the readers of one version of a resource.
 struct Version {
     std::optional<PassIndex> writer;
     std::vector<PassIndex> readers;
@@ -51,7 +51,7 @@ Result<Versions> find_versions(const Declaration& declaration) {
     return versions;
 }
 
-// A version that is read must come from somewhere.
+// A version that is read must have been written or imported.
 Result<void> check_reads(const Declaration& declaration, const Versions& versions) {
     for (const auto& [ref, version] : versions) {
         const ResourceDeclaration& resource = declaration.resources[ref.first];
@@ -64,7 +64,7 @@ Result<void> check_reads(const Declaration& declaration, const Versions& version
     return {};
 }
 
-// Those that are kept, that write something from outside, and whatever they read from.
+// Passes that are marked as kept or write an imported resource, and all passes that they depend on.
 std::vector<bool> find_needed(const Declaration& declaration, const Versions& versions) {
     std::vector<bool> needed(declaration.passes.size());
     std::vector<PassIndex> open;
@@ -127,7 +127,7 @@ Result<std::vector<std::uint32_t>> order_passes(const Declaration& declaration) 
         if (needed[pass]) waiting.insert(pass);
     std::vector<PassIndex> order;
     while (!waiting.empty()) {
-        // The first declared one that waits for nothing.
+        // The first declared pass that waits for no other.
         const auto free =
             std::ranges::find_if(waiting, [&](PassIndex pass) { return before[pass].empty(); });
         if (free == waiting.end()) {

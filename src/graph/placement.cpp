@@ -1,5 +1,5 @@
-// Where transient images lie: the largest first, each at the lowest place that is free for as long
-// as it lives.
+// Where transient images lie: largest first, each at the lowest offset that is free for its whole
+// lifetime.
 #include <algorithm>
 #include <numeric>
 
@@ -28,7 +28,7 @@ struct Range {
     std::uint64_t end = 0;
 };
 
-// `taken` is sorted by its beginnings.
+// `taken` is sorted by offset.
 std::uint64_t lowest_free(const std::vector<Range>& taken, std::uint64_t bytes,
                           std::uint64_t alignment) {
     std::uint64_t offset = 0;

@@ -29,7 +29,7 @@ TEST(Placement, LivesFromFirstToLastUse) {
     EXPECT_FALSE(plan.offsets[out.resource].has_value());
 }
 
-// A chain of eight images, each made from the one before: two places serve in turn.
+// A chain of eight images, each made from the one before: two offsets alternate.
 TEST(Placement, AChainNeedsTwoPlaces) {
     Sketch s;
     Ref last = s.image("first", 1000);
@@ -69,7 +69,7 @@ TEST(Placement, OverlappingLivesNeverShareMemory) {
             std::vector<Access> accesses;
             const Ref image = s.image("image", 1 + below(5000));
             s.declaration.resources[image.resource].alignment = 1u << below(9);
-            // Up to three of what there is; one image at most once.
+            // Up to three existing images, each at most once.
             for (std::uint32_t r = made.empty() ? 0 : 1 + below(3); r > 0; --r) {
                 const Ref source =
                     made[made.size() - 1 -

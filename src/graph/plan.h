@@ -1,4 +1,4 @@
-// The plan of a frame: which passes run, in which order, what is waited for between them, and where
+// The plan of a frame: which passes run, in which order, the barriers between them, and where
 // transient images lie in memory. Computed from a Declaration without any device.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace hm::graph {
 
-// Before a pass, for one resource. For buffers the layouts mean nothing.
+// Before a pass, for one resource. Layouts are ignored for buffers.
 struct PlannedBarrier {
     std::uint32_t resource = 0;
     rhi::Scope before;
@@ -43,21 +43,21 @@ struct Plan {
     std::vector<Step> steps;
     std::vector<PlannedBarrier> final_barriers;
     std::vector<std::uint32_t> culled;  // passes, in declared order
-    // By resource; nothing for one that no step touches.
+    // By resource; empty for one that no step accesses.
     std::vector<std::optional<Lifetime>> lifetimes;
-    // Byte offsets in the heap, by resource; nothing for one that takes no part.
+    // Byte offsets in the heap, by resource; empty for one outside the heap.
     std::vector<std::optional<std::uint64_t>> offsets;
     std::uint64_t heap_bytes = 0;
 };
 
-// Fails, naming passes and resources, if passes wait for each other in a circle, if a version is
-// read that nobody writes, or written twice.
+// Fails, naming passes and resources, if passes depend on each other in a cycle, if a version is
+// read that no pass writes, or is written twice.
 Result<Plan> make_plan(const Declaration& declaration);
 
 // The parts of make_plan, in order.
 //
 // The passes that run, in their order: a version's writer before its readers, those before the
-// writer of the next. Among the free ones the declared order.
+// writer of the next. Passes that are ready at the same time keep the declared order.
 Result<std::vector<std::uint32_t>> order_passes(const Declaration& declaration);
 // Fills lifetimes, offsets and heap_bytes from the steps' passes. Images whose lifetimes overlap
 // never overlap in the heap.

@@ -1,4 +1,4 @@
-// For this room's tests: declares by hand what Graph and Pass declare for others.
+// For this folder's tests: writes by hand the declarations that Graph and Pass make.
 #pragma once
 
 #include <cstdint>

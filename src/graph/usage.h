@@ -1,5 +1,5 @@
-// What an access means in a pass of some kind: at which stages, which kinds of access, and in
-// which layout an image must be.
+// What an access means in a kind of pass: pipeline stages, access flags, and the layout that an
+// image must have.
 #pragma once
 
 #include "graph/declaration.h"
@@ -18,7 +18,7 @@ inline bool writes(AccessKind kind) {
     return kind == AccessKind::write || kind == AccessKind::read_write;
 }
 
-// Whether it needs what was there before.
+// Whether it needs the earlier contents.
 inline bool reads(AccessKind kind) {
     return kind != AccessKind::write;
 }

@@ -14,7 +14,7 @@ namespace hm::rhi {
 
 namespace {
 
-// The index behind the last of the builds from `begin` that fit into the scratch budget together.
+// One past the last of the builds from `begin` that fit into the scratch budget together.
 std::size_t end_of_batch(std::span<const Build> builds, std::size_t begin, std::uint64_t budget) {
     std::uint64_t scratch = builds[begin].scratch_bytes;
     std::size_t end = begin + 1;
@@ -66,7 +66,7 @@ Result<void> run_timed(Device& device, std::string_view name, BuildReport& repor
     HM_TRY_ASSIGN(Timestamps times, Timestamps::create(device, name, 2));
     HM_TRY(run_once(device, name, [&](Commands& commands) -> Result<void> {
         times.reset(commands);
-        // The inputs were written by whoever.
+        // The inputs may have been written by any stage.
         commands.full_barrier();
         times.write(commands, 0);
         record(commands);
@@ -181,7 +181,7 @@ Result<std::vector<AccelerationStructure>> build_blas(Device& device,
     if (options.compact) {
         HM_TRY_ASSIGN(sizes, make_size_queries(device, static_cast<std::uint32_t>(largest)));
     }
-    // A batch is compacted before the next is built: only one is ever there in full size.
+    // A batch is compacted before the next is built, so only one exists in full size at a time.
     for (const std::span<const Build> batch : batches) {
         HM_TRY_ASSIGN(std::vector<AccelerationStructure> done,
                       build_batch(device, batch, scratch, sizes.get(), report));

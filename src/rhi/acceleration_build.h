@@ -60,8 +60,8 @@ struct TlasInstance {
     std::uint64_t blas = 0;  // AccelerationStructure::address
 };
 
-// Facing is not culled and not the structure's concern. Waits until it is built. No instances make
-// a structure that every ray misses.
+// Instances do not cull by facing. Waits until the structure is built. Every ray misses a structure
+// without instances.
 Result<AccelerationStructure> build_tlas(Device& device, const std::string& name,
                                          std::span<const TlasInstance> instances,
                                          BuildReport& report);

@@ -74,7 +74,7 @@ Result<Build> plan_blas(const Device& device, const BlasInput& input, bool compa
 
 Result<Buffer> upload_instances(Device& device, const std::string& name,
                                 std::span<const TlasInstance> instances) {
-    // The build reads it once; the device's own memory would gain nothing.
+    // The build reads it only once, so device memory would gain nothing.
     HM_TRY_ASSIGN(Buffer buffer,
                   Buffer::create(device, {.name = name + ": instances",
                                           .size = std::max<std::uint64_t>(instances.size(), 1) *

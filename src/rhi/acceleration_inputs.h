@@ -1,5 +1,5 @@
-// What the build of an acceleration structure is told, in the form that Vulkan wants, and what
-// memory it will need.
+// The inputs of an acceleration structure build as Vulkan's structs, and the memory that the build
+// needs.
 #pragma once
 
 #include <cstdint>

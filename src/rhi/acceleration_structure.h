@@ -19,7 +19,7 @@ class AccelerationStructure {
     std::uint64_t bytes() const { return buffer_.size(); }
     VkAccelerationStructureKHR handle() const { return handle_.get(); }
 
-    // Room for a structure of that many bytes; a build or a copy fills it.
+    // Memory for a structure of that many bytes; a build or a copy fills it.
     static Result<AccelerationStructure> allocate(Device& device, const std::string& name,
                                                   VkAccelerationStructureTypeKHR type,
                                                   std::uint64_t bytes);

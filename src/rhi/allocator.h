@@ -1,4 +1,4 @@
-// The Vulkan Memory Allocator's header, for the files of this room that allocate.
+// The Vulkan Memory Allocator's header, for the files of this folder that allocate.
 #pragma once
 
 #include "rhi/vulkan.h"

@@ -1,5 +1,5 @@
-// A memory barrier as plain numbers: what must be over before what may begin. The render graph
-// computes them without a device.
+// A memory barrier as plain data: what must complete before what may begin. The render graph
+// computes barriers without a device.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace hm::rhi {
 
-// Pipeline stages and kinds of access, by Vulkan's VkPipelineStageFlagBits2 and VkAccessFlagBits2.
+// Pipeline stages and access types, as Vulkan's VkPipelineStageFlagBits2 and VkAccessFlagBits2.
 struct Scope {
     std::uint64_t stages = 0;
     std::uint64_t access = 0;

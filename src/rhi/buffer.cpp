@@ -26,7 +26,7 @@ VkBufferUsageFlags usage_of(BufferUse use) {
 
 Result<Buffer> Buffer::create(Device& device, const BufferInfo& info) {
     HM_CHECK(info.size > 0, "buffer {}", info.name);
-    // The driver need not refuse such sizes itself.
+    // Drivers are not required to reject such sizes.
     if (info.size > device.limits().max_buffer_bytes ||
         (info.memory == MemoryKind::device && info.size > device.memory_use().budget_bytes))
         return tl::unexpected(memory_error(device, VK_ERROR_OUT_OF_DEVICE_MEMORY, "vkCreateBuffer",

@@ -37,13 +37,13 @@ struct BufferInfo {
     std::uint64_t size = 0;  // bytes, not 0
     BufferUse use = BufferUse::storage;
     MemoryKind memory = MemoryKind::device;
-    std::uint64_t alignment = 0;  // of the device address, where more than usual is needed
+    std::uint64_t alignment = 0;  // of the device address; 0: the default
 };
 
 class Buffer {
   public:
     Buffer() = default;
-    // Out of memory says how much was asked for and how much there is.
+    // An out-of-memory error says how much was requested and how much is free.
     static Result<Buffer> create(Device& device, const BufferInfo& info);
     Buffer(Buffer&& other) noexcept { swap(other); }
     Buffer& operator=(Buffer&& other) noexcept {

@@ -17,7 +17,7 @@ inline constexpr const char* kTimestamps = "timestamps";
 inline constexpr const char* kInvocationReorder = "rayTracingInvocationReorder";
 inline constexpr const char* kRayQuery = "VK_KHR_ray_query";  // reported, not enabled
 
-// What a device says of itself, by Vulkan's own names.
+// What a device reports, by Vulkan's own names.
 struct Offer {
     std::uint32_t api_version = 0;     // VK_MAKE_API_VERSION's encoding
     std::set<std::string> extensions;  // "VK_KHR_ray_tracing_pipeline"
@@ -33,10 +33,10 @@ struct Capability {
     bool present = false;
 };
 
-// All that we ask for, in a fixed order, with what `offer` has of it.
+// All capabilities that we ask for, in a fixed order, and whether `offer` has them.
 std::vector<Capability> judge(const Offer& offer);
 
-// Names of the required ones that are not there.
+// Names of the required ones that are missing.
 std::vector<std::string> missing(const std::vector<Capability>& capabilities);
 
 }  // namespace hm::rhi

@@ -33,7 +33,7 @@ Result<Commands> Commands::begin(Device& device, std::string_view name) {
 }
 
 Commands::~Commands() {
-    // A device that fails here has failed its caller before.
+    // If this fails, an earlier call has already reported the device's failure.
     if (pool_.get() != VK_NULL_HANDLE && ticket_ > 0) static_cast<void>(device_->wait(ticket_));
 }
 
@@ -92,7 +92,7 @@ void Commands::copy(const Image& from, ImageLayout layout, const Buffer& to,
 
 namespace {
 
-// One level's barrier between a copy and everything else.
+// One level's barrier between a copy and all other work.
 void level_barrier(VkCommandBuffer commands, const Image& image, std::uint32_t level,
                    VkImageLayout from, VkImageLayout to) {
     const VkImageMemoryBarrier2 barrier{

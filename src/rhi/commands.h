@@ -25,7 +25,7 @@ class ComputePipeline;
 class PipelineLayout;
 class RayTracingPipeline;
 
-// Some rows of one level of an image that is `width` texels wide there.
+// Some rows of one level of an image; the level is `width` texels wide.
 struct ImageRows {
     std::uint32_t level = 0;
     std::uint32_t begin = 0;
@@ -34,7 +34,7 @@ struct ImageRows {
 };
 
 // One command buffer with a pool of its own. Begins recording; Device::submit ends it. Once that
-// ticket is reached, begin_again() records anew in the same memory. The destructor waits for it.
+// ticket is reached, begin_again() reuses the same memory. The destructor waits for it.
 class Commands {
   public:
     Commands() = default;
@@ -60,8 +60,8 @@ class Commands {
     void clear(const Image& image, ImageLayout layout, float value);
 
     void barriers(std::span<const Barrier> barriers);
-    // Everything before happens before everything after, memory included. For the odd copy; passes
-    // get theirs from the render graph.
+    // A full execution and memory barrier. For single copies; passes get their barriers from the
+    // render graph.
     void full_barrier();
     // The same for one image, whose layout changes; from undefined it loses its contents.
     void transition(const Image& image, ImageLayout from, ImageLayout to);

@@ -45,7 +45,7 @@ Result<SetLayout> SetLayout::create(Device& device, std::string_view name,
     VkDescriptorSetLayoutCreateFlags layout_flags =
         push ? VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR : 0;
     for (const Binding& binding : bindings) {
-        // The features that a device must have allow this for sampled images alone.
+        // The required features allow this only for sampled images.
         HM_CHECK(!binding.bindless || (is_sampled(binding.kind) && !push), "{} binding {}", name,
                  binding.binding);
         list.push_back({.binding = binding.binding,

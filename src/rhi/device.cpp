@@ -154,7 +154,7 @@ Result<void> Device::wait_idle() {
 }
 
 Error Device::error(VkResult result, std::string_view call, std::string_view object) const {
-    // A lost device has stopped using anything; where waiting fails too, there is no more to do.
+    // A lost device no longer uses anything; if waiting fails too, nothing more can be done.
     vkDeviceWaitIdle(device_);
     return device_error(result, call, object);
 }
@@ -167,7 +167,7 @@ void Device::set_name(VkObjectType type, std::uint64_t handle, std::string_view 
         .objectType = type,
         .objectHandle = handle,
         .pObjectName = text.c_str()};
-    // A name is a convenience: a driver that cannot keep it is no failure.
+    // Names are a convenience: ignore drivers that cannot store them.
     vkSetDebugUtilsObjectNameEXT(device_, &info);
 }
 

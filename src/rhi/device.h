@@ -1,7 +1,7 @@
 // A Vulkan device with everything enabled that we use, its one queue and its memory allocator.
 //
-// All objects of this room are made from a Device and must not outlive it. None of them is for
-// several threads at once.
+// All objects of this folder are created from a Device and must not outlive it. None is
+// thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,19 @@
 #include "rhi/physical_device.h"
 #include "rhi/vulkan.h"
 
-// Keeps the allocator's large header out of everybody's way.
+// Keeps the allocator's large header out of this one.
 struct VmaAllocator_T;
 
 namespace hm::rhi {
 
 class Commands;
 
-// Names the point in the queue's work where a submission is done; counts up.
+// The value of the queue's timeline semaphore when a submission is complete.
 using Ticket = std::uint64_t;
 
 struct MemoryUse {
-    std::uint64_t used_bytes = 0;  // by this process, on the device's own memory
-    std::uint64_t budget_bytes =
-        0;  // what the driver lets this process have, the used ones included
+    std::uint64_t used_bytes = 0;    // by this process, on the device's own memory
+    std::uint64_t budget_bytes = 0;  // what the driver allows this process, including what it uses
 };
 
 class Device {
@@ -51,15 +50,15 @@ class Device {
     Result<bool> reached(Ticket ticket) const;
     Result<void> wait_idle();
 
-    // What a failed call becomes (see error.h), `object` being what was made or used. Returns with
-    // nothing under way, so that all objects may go, in whatever order they do.
+    // The error for a failed call (see error.h); `object` names what was created or used. Waits
+    // until the device is idle, so that all objects may be destroyed in any order.
     Error error(VkResult result, std::string_view call, std::string_view object) const;
     Result<void> check(VkResult result, std::string_view call, std::string_view object) const {
         if (result >= 0) return {};
         return tl::unexpected(error(result, call, object));
     }
 
-    // What debuggers and validation messages call an object.
+    // The object's name in debuggers and validation messages.
     template <class T>
     void name(VkObjectType type, T handle, std::string_view name) const {
         set_name(type, reinterpret_cast<std::uint64_t>(handle), name);

@@ -40,8 +40,8 @@ TEST_F(RhiDevice, DescribesItself) {
 
 TEST_F(RhiDevice, ValidationIsHeard) {
     if (!instance().validates()) GTEST_SKIP() << "HIMALAYA_VALIDATION is 0";
-    // A copy outside of a buffer: the layer must say so, or the other tests prove nothing. It does
-    // when that is recorded; no device should run it.
+    // A copy outside of a buffer: the layer must report it, or the other tests prove nothing. It
+    // does so while recording; the copy is never run.
     const Buffer a = value_of(Buffer::create(device(), {.name = "small buffer", .size = 16}));
     const Commands commands = value_of(Commands::begin(device(), "bad copy"));
     const VkBufferCopy region{8, 0, 16};
@@ -200,7 +200,7 @@ TEST_F(RhiDevice, OutOfMemorySaysHowMuch) {
         EXPECT_NE(line.find(part), std::string::npos) << line;
 }
 
-// Memory is refused when the device's is used up, not moved to the host unsaid.
+// Allocation fails when device memory is used up; it does not move to the host silently.
 TEST_F(RhiDevice, MoreThanIsFreeIsRefused) {
     const std::uint64_t bytes = device().memory_use().budget_bytes + (std::uint64_t{1} << 30);
     const Result<Buffer> buffer = Buffer::create(device(), {.name = "scene", .size = bytes});

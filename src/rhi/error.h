@@ -1,7 +1,7 @@
-// What a failed Vulkan call becomes: one line with the call, the VkResult's name and the object.
+// The error for a failed Vulkan call: one line with the call, the VkResult's name and the object.
 //
 // ErrorKind::no_device: there is no loader, no device, or none that has what we need; another
-// renderer can still draw the picture. ErrorKind::device_failed: a device that we had let us down
+// renderer can still draw the picture. ErrorKind::device_failed: a device failed while in use
 // (out of memory, lost); the picture is not finished.
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace hm::rhi {
 
-// "VK_ERROR_DEVICE_LOST"; a number for what these headers do not know.
+// "VK_ERROR_DEVICE_LOST"; a number if these headers do not know it.
 std::string result_name(VkResult result);
 
-// `object` names what was made or used. Adds what a person can do, where there is something.
+// `object` names what was created or used. Adds advice for the user where there is any.
 Error device_error(VkResult result, std::string_view call, std::string_view object);
 
 // Every VkResult that is not an error code is success: VK_INCOMPLETE, VK_TIMEOUT and the like are

@@ -7,7 +7,7 @@
 
 namespace hm::rhi {
 
-// Vulkan's chain of structs; not to be moved, since they point at each other.
+// Vulkan's pNext chain of structs; not movable, because they point to each other.
 struct FeatureChain {
     VkPhysicalDeviceRayTracingInvocationReorderFeaturesNV reorder{};
     VkPhysicalDeviceRayTracingPipelineFeaturesKHR ray_tracing{};

@@ -72,8 +72,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
     return VK_FALSE;
 }
 
-// Only what the validation layer says: drivers' and the loader's general remarks are about the
-// machine.
+// Only messages of the validation layer: general messages of drivers and the loader concern the
+// machine, not the program.
 VkDebugUtilsMessengerCreateInfoEXT messenger_info(Messages& messages) {
     return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
             .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
@@ -125,7 +125,7 @@ Result<std::shared_ptr<Instance>> Instance::create(const InstanceOptions& option
         .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
         .ppEnabledExtensionNames = extensions.data()};
     const VkResult result = vkCreateInstance(&info, nullptr, &made->instance_);
-    // The loader's way to say that it found no driver.
+    // How the loader reports that it found no driver.
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
         return fail(ErrorKind::no_device, "Vulkan", "", kNoDevices);
     HM_TRY(check(result, "vkCreateInstance", "the instance"));
@@ -140,7 +140,7 @@ Result<std::shared_ptr<Instance>> Instance::create(const InstanceOptions& option
 }
 
 Instance::~Instance() {
-    // What nobody asked about is not lost.
+    // Messages that nobody took are not lost.
     for (const Message& message : messages_.take())
         fmt::print(stderr, "himalaya: Vulkan validation: {}\n", printable(message.line()));
     if (messenger_ != VK_NULL_HANDLE)

@@ -35,7 +35,7 @@ class Instance {
 
     bool validates() const { return messenger_ != VK_NULL_HANDLE; }
     bool names_objects() const { return names_objects_; }
-    // What the validation layer said; empty without one. The destructor prints what is left.
+    // Messages of the validation layer. The destructor prints those that nobody took.
     Messages& messages() { return messages_; }
     VkInstance handle() const { return instance_; }
 

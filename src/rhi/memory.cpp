@@ -29,8 +29,8 @@ VmaAllocationCreateInfo allocation_info(MemoryKind kind) {
     info.usage = VMA_MEMORY_USAGE_AUTO;
     switch (kind) {
         case MemoryKind::device:
-            // Drivers would rather move memory to the host than refuse, and the allocator tries
-            // the host's next: much slower, unsaid.
+            // Drivers move memory to the host rather than refuse, and the allocator tries
+            // host memory next: much slower, without notice.
             info.flags = VMA_ALLOCATION_CREATE_WITHIN_BUDGET_BIT;
             info.usage = VMA_MEMORY_USAGE_AUTO_PREFER_DEVICE;
             info.requiredFlags = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
@@ -66,7 +66,7 @@ Result<MemoryBlock> MemoryBlock::create(Device& device, const std::string& name,
     MemoryBlock block;
     block.device_ = &device;
     const VkMemoryRequirements requirements{needs.bytes, needs.alignment, needs.types};
-    // Here VMA wants the kind of memory said outright.
+    // VMA needs explicit memory properties here.
     VmaAllocationCreateInfo info{};
     info.flags = VMA_ALLOCATION_CREATE_WITHIN_BUDGET_BIT;
     info.requiredFlags = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;

@@ -1,4 +1,4 @@
-// How memory is asked for, and what is said when there is not enough.
+// How memory is allocated, and the error when there is not enough.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace hm::rhi {
 
 VmaAllocationCreateInfo allocation_info(MemoryKind kind);
 
-// device_error, with how much was asked for and what there is if memory ran out.
+// device_error; if memory ran out, with the size requested and the memory free.
 Error memory_error(const Device& device, VkResult result, std::string_view call,
                    std::string_view object, std::uint64_t bytes);
 

@@ -1,4 +1,4 @@
-// A piece of device memory that several images may lie in, one after the other or in turn.
+// A block of device memory that several images may share, side by side or aliased.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct MemoryNeeds {
     std::uint32_t types = ~0u;  // a bit for each of the device's memory types that will do
 };
 
-// Of an image that is not made yet.
+// Of an image that is not created yet.
 MemoryNeeds memory_needs(const Device& device, const ImageInfo& info);
 
 class MemoryBlock {

@@ -1,4 +1,4 @@
-// What the validation layer and the driver say, kept until somebody asks. Tests fail on them.
+// Messages of the validation layer and the driver, kept until they are taken. Tests fail on them.
 #pragma once
 
 #include <mutex>

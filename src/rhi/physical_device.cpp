@@ -14,8 +14,7 @@ namespace hm::rhi {
 
 namespace {
 
-// A family that computes, rather one that also draws: that is the main queue, and the only one
-// that every driver has.
+// A family with compute, preferably also graphics: the main queue, which every driver has.
 std::optional<std::uint32_t> find_queue_family(const std::vector<VkQueueFamilyProperties>& all) {
     std::optional<std::uint32_t> found;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
@@ -124,7 +123,7 @@ void read_limits(const PropertyChain& properties, Limits& limits) {
                            VK_RAY_TRACING_INVOCATION_REORDER_MODE_REORDER_NV;
 }
 
-// What a person calls a device in a list: "vulkan:0 (NVIDIA H200)".
+// A device's name in a list: "vulkan:0 (NVIDIA H200)".
 std::string label(const PhysicalDevice& device) {
     return fmt::format("vulkan:{} ({})", device.index, device.name);
 }

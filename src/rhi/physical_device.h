@@ -1,5 +1,5 @@
-// The devices that the loader offers, described without making any of them, and the choice among
-// them.
+// The devices that the loader offers, described without creating any of them, and the choice
+// among them.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace hm::rhi {
 
 enum class DeviceKind { discrete, integrated, virtual_gpu, cpu, other };
 
-// Numbers that callers size things by.
+// Limits that callers depend on.
 struct Limits {
     std::uint32_t max_textures = 0;  // sampled images in one bindless table
     std::uint32_t max_recursion_depth = 0;
@@ -56,7 +56,7 @@ struct PhysicalDevice {
 // For Instance::devices.
 Result<PhysicalDevice> describe(VkPhysicalDevice handle, std::uint32_t index);
 
-// Said where the loader knows no driver.
+// The message when the loader knows no driver.
 inline constexpr const char* kNoDevices =
     "the loader finds no device; install the graphics card's Vulkan driver, or name its manifest "
     "in VK_DRIVER_FILES";
@@ -64,7 +64,7 @@ inline constexpr const char* kNoDevices =
 // "discrete GPU", "CPU", ...
 std::string kind_name(DeviceKind kind);
 
-// The usable device that serves best: a card before an integrated one, then the larger memory.
+// The best usable device: discrete before integrated GPUs, then the one with more memory.
 // Never one of kind cpu. Fails with ErrorKind::no_device and says what each device lacks.
 Result<PhysicalDevice> choose_best(std::span<const PhysicalDevice> devices);
 

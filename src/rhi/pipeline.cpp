@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "base/check.h"
@@ -22,13 +22,17 @@ Result<ShaderModule> make_shader_module(Device& device, std::string_view name, S
     return ShaderModule(device.handle(), handle);
 }
 
-const VkSpecializationInfo* shader_constants(const PhysicalDevice& device) {
-    static constexpr std::array<VkBool32, 2> kRoundsRight{VK_FALSE, VK_TRUE};
-    static constexpr VkSpecializationMapEntry kEntry{0, 0, sizeof(VkBool32)};
-    static constexpr std::array<VkSpecializationInfo, 2> kConstants{
-        VkSpecializationInfo{1, &kEntry, sizeof(VkBool32), &kRoundsRight[0]},
-        VkSpecializationInfo{1, &kEntry, sizeof(VkBool32), &kRoundsRight[1]}};
-    return &kConstants[device.kind == DeviceKind::cpu ? 1 : 0];
+Specialization::Specialization(const PhysicalDevice& device,
+                               std::span<const SpecializationConstant> constants)
+    : constants_(constants.begin(), constants.end()) {
+    constants_.push_back({0, device.kind == DeviceKind::cpu ? VK_TRUE : VK_FALSE});
+    for (std::size_t i = 0; i < constants_.size(); ++i)
+        entries_.push_back({constants_[i].id,
+                            std::uint32_t(i * sizeof(SpecializationConstant) +
+                                          offsetof(SpecializationConstant, value)),
+                            sizeof(std::uint32_t)});
+    info_ = {std::uint32_t(entries_.size()), entries_.data(),
+             constants_.size() * sizeof(SpecializationConstant), constants_.data()};
 }
 
 Result<PipelineLayout> PipelineLayout::create(Device& device, std::string_view name,
@@ -64,13 +68,14 @@ Result<ComputePipeline> ComputePipeline::create(Device& device, std::string_view
                                                 const PipelineLayout& layout, Spirv spirv,
                                                 PipelineCache* cache) {
     HM_TRY_ASSIGN(const ShaderModule module, make_shader_module(device, name, spirv));
+    const Specialization specialization(device.physical(), {});
     const VkComputePipelineCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
         .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                   .stage = VK_SHADER_STAGE_COMPUTE_BIT,
                   .module = module.get(),
                   .pName = "main",
-                  .pSpecializationInfo = shader_constants(device.physical())},
+                  .pSpecializationInfo = specialization.info()},
         .layout = layout.handle()};
     VkPipeline handle = VK_NULL_HANDLE;
     HM_TRY(device.check(vkCreateComputePipelines(

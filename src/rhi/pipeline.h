@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "rhi/descriptors.h"
@@ -19,9 +20,29 @@ using Spirv = std::span<const std::uint32_t>;
 using ShaderModule = Handle<VkShaderModule, &vkDestroyShaderModule>;
 Result<ShaderModule> make_shader_module(Device& device, std::string_view name, Spirv spirv);
 
-// What every shader is told of the device: constant_id 0, a bool, whether its quotients and roots
-// are rounded as C++'s (shading/exact.glsl). Those of a CPU are.
-const VkSpecializationInfo* shader_constants(const PhysicalDevice& device);
+// The value of layout(constant_id = id), as its 32 bits. Modules without that constant ignore it.
+struct SpecializationConstant {
+    std::uint32_t id = 0;
+    std::uint32_t value = 0;
+};
+
+// The specialization constants of all stages of a pipeline: those given, and constant_id 0, a bool
+// that says whether the device rounds quotients and roots as C++ does (shading/exact.glsl); CPUs
+// do.
+class Specialization {
+  public:
+    Specialization(const PhysicalDevice& device, std::span<const SpecializationConstant> constants);
+    Specialization(const Specialization&) = delete;
+    Specialization& operator=(const Specialization&) = delete;
+
+    // Valid as long as this object.
+    const VkSpecializationInfo* info() const { return &info_; }
+
+  private:
+    std::vector<SpecializationConstant> constants_;
+    std::vector<VkSpecializationMapEntry> entries_;
+    VkSpecializationInfo info_{};
+};
 
 class PipelineLayout {
   public:

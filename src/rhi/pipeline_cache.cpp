@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Stands before the driver's bytes: drivers check little of what they are given, and some die of
-// damaged data.
+// Precedes the driver's bytes: drivers validate little of their input, and some crash on damaged
+// data.
 struct FileHeader {
     char magic[8] = {'h', 'm', 'p', 'i', 'p', 'e', 's', '1'};
     std::uint64_t bytes = 0;
@@ -38,7 +38,7 @@ std::string hex(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
-// The driver's part of a file; empty if it is not whole.
+// The driver's part of a file; empty if it is damaged.
 std::span<const std::byte> contents(std::span<const std::byte> file) {
     FileHeader header;
     const FileHeader expected;

@@ -22,6 +22,7 @@ std::uint64_t align_up(std::uint64_t value, std::uint64_t alignment) {
 struct Stages {
     Device& device;
     const std::string& name;
+    const Specialization& specialization;
     std::vector<ShaderModule> modules;
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     std::vector<VkRayTracingShaderGroupCreateInfoKHR> groups;
@@ -34,7 +35,7 @@ struct Stages {
                           .stage = stage,
                           .module = module.get(),
                           .pName = "main",
-                          .pSpecializationInfo = shader_constants(device.physical())});
+                          .pSpecializationInfo = specialization.info()});
         modules.push_back(std::move(module));
         return static_cast<std::uint32_t>(stages.size() - 1);
     }
@@ -85,7 +86,8 @@ Result<RayTracingPipeline> RayTracingPipeline::create(Device& device,
         return fail(ErrorKind::no_device, "Vulkan", info.name,
                     fmt::format("rays that start {} deep; the device allows {}",
                                 info.max_recursion_depth, device.limits().max_recursion_depth));
-    Stages parts{device, info.name, {}, {}, {}};
+    const Specialization specialization(device.physical(), info.constants);
+    Stages parts{device, info.name, specialization, {}, {}, {}};
     HM_TRY(parts.add_all(info));
     const VkRayTracingPipelineCreateInfoKHR create{
         .sType = VK_STRUCTURE_TYPE_RAY_TRACING_PIPELINE_CREATE_INFO_KHR,

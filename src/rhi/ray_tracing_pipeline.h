@@ -17,7 +17,7 @@
 
 namespace hm::rhi {
 
-// An empty span leaves the stage out.
+// An empty span: no such stage.
 struct HitGroup {
     Spirv closest_hit;
     Spirv any_hit;
@@ -30,6 +30,7 @@ struct RayTracingPipelineInfo {
     std::vector<Spirv> misses;
     std::vector<HitGroup> hit_groups;
     std::uint32_t max_recursion_depth = 1;
+    std::vector<SpecializationConstant> constants;  // of all stages
 };
 
 class RayTracingPipeline {

@@ -201,7 +201,7 @@ TEST_F(RhiRays, BatchesShareScratchWithinTheBudget) {
         EXPECT_EQ(seen[x][1], 0u) << x;
     }
     EXPECT_EQ(seen[200][0], 1u);
-    // One build that is larger than the budget is done all the same.
+    // A single build that is larger than the budget is still done.
     BuildReport alone;
     EXPECT_TRUE(build_blas(device(), std::span(inputs).first(1), {.scratch_budget_bytes = 1}, alone)
                     .has_value());

@@ -1,4 +1,4 @@
-// For the tests of the GPU: a device of any kind, with validation, whose complaints fail the test.
+// For GPU tests: a device of any kind with the validation layer, whose messages fail the test.
 #pragma once
 
 #include <dlfcn.h>
@@ -49,7 +49,7 @@ class Variable {
     std::optional<std::string> old_;
 };
 
-// Unless HIMALAYA_VALIDATION=0 says that this machine has no layer.
+// Off with HIMALAYA_VALIDATION=0, for machines without the layer.
 inline bool validates() {
     const char* wanted = std::getenv("HIMALAYA_VALIDATION");
     return wanted == nullptr || std::string(wanted) != "0";
@@ -62,8 +62,8 @@ inline std::shared_ptr<Instance> make_instance() {
     return value_of(Instance::create({.validation = validates()}));
 }
 
-// Number HIMALAYA_TEST_DEVICE of the loader's list, or else the best, or where only software offers
-// ray tracing, that.
+// Number HIMALAYA_TEST_DEVICE of the loader's list; otherwise the best device, or the first
+// software device if there is no other.
 inline PhysicalDevice any_device(const Instance& instance) {
     const std::vector<PhysicalDevice> devices = value_of(instance.devices());
     if (const char* wanted = std::getenv("HIMALAYA_TEST_DEVICE"))

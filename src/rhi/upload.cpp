@@ -55,7 +55,7 @@ Result<void> Uploader::flush() {
     Half& next = halves_[current_];
     HM_TRY(device_->wait(next.ticket));
     HM_TRY(next.commands.begin_again());
-    // Two uploads to one place arrive in order.
+    // Two uploads to the same destination complete in order.
     next.commands.full_barrier();
     next.filled = 0;
     return {};
@@ -87,7 +87,7 @@ Result<void> Uploader::image(const Image& to, std::uint32_t level,
     const std::uint64_t row_bytes = std::uint64_t{width} * bytes_per_texel(to.info().format);
     HM_CHECK(texels.size() == row_bytes * height, "image {}: {} bytes for {} x {}", to.info().name,
              texels.size(), width, height);
-    // As many rows at a time as there is room for.
+    // As many rows at a time as fit.
     for (std::uint32_t row = 0; row < height;) {
         HM_TRY_ASSIGN(std::span<std::byte> piece, reserve(row_bytes, texels.size()));
         const auto rows = static_cast<std::uint32_t>(piece.size() / row_bytes);

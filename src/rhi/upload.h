@@ -29,7 +29,7 @@ class Uploader {
     // One level of an image, tightly packed rows; leaves it in layout shader_read.
     Result<void> image(const Image& to, std::uint32_t level, std::span<const std::byte> texels);
 
-    // Waits until everything has arrived; then shaders and builds see it.
+    // Waits until all copies are complete and visible to shaders and builds.
     Result<void> finish();
     std::uint64_t bytes() const { return bytes_; }
 
@@ -40,7 +40,7 @@ class Uploader {
         Ticket ticket = 0;
         std::uint64_t filled = 0;
     };
-    // Room in the current half, the next one if need be.
+    // Space in the current half, or in the next one if the current is full.
     Result<std::span<std::byte>> reserve(std::uint64_t at_least, std::uint64_t at_most);
     std::uint64_t offset_of(std::span<const std::byte> piece) const;  // in the current half
     Result<void> flush();
@@ -51,11 +51,11 @@ class Uploader {
     std::uint64_t bytes_ = 0;
 };
 
-// A buffer made and filled in one go.
+// Creates and fills a buffer.
 Result<Buffer> upload_buffer(Uploader& uploader, Device& device, const BufferInfo& info,
                              std::span<const std::byte> bytes);
 
-// Waits for everything before, then brings bytes back.
+// Waits for all earlier work, then copies bytes back to the host.
 Result<void> read_back(Device& device, const Buffer& from, std::span<std::byte> bytes,
                        std::uint64_t from_offset = 0);
 // Level 0, tightly packed rows; the image stays in `layout`, transfer_source or general.

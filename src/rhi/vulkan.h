@@ -1,4 +1,4 @@
-// Vulkan as this room includes it: without prototypes. volk opens the loader at run time, so a
+// Vulkan as this folder includes it: without prototypes. volk opens the loader at run time, so a
 // program that links this starts where no loader is installed. Its function pointers are global
 // and go through the loader, hence serve several devices at once.
 #pragma once

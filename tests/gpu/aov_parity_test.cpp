@@ -25,7 +25,7 @@ AovSelection everything(const TestScene& scene, FlatScene& flat) {
     return selection;
 }
 
-// Values of the lowest index that hit are one sample's, the others sums of 16.
+// Values of the lowest sample index that hit come from one sample, the others are sums of 16.
 std::size_t pixels_off(const FilmPlane& a, const FilmPlane& b) {
     std::size_t off = 0;
     for (std::size_t i = 0; i < a.values.size(); i += a.floats) {

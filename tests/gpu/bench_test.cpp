@@ -1,4 +1,4 @@
-// What measuring traced rays counts, on a scene whose rays are known. Times are not asserted.
+// The ray counts of gpu/bench on a scene whose rays are known. Times are not asserted.
 #include "gpu/bench.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,10 @@
-// The stages of shading/path with the simplest hooks there can be: every ray meets every triangle.
+// The stages of shading/path with the simplest possible hooks: every ray is tested against every
+// triangle.
 // GLSL and C++ at once, included where the tables are visible (path_tables.glsl, path_tracer.h).
 //
-// Tables beside those of the stages: scene_vertices, scene_extras (beside the vertices),
-// scene_triangles; scene_offsets: a geometry's first vertex and triangle; scene_images: first
-// texel, width, height; scene_texels: every texel twice, as stored and decoded from sRGB;
+// Tables in addition to those of the stages: scene_vertices, scene_extras (parallel to the
+// vertices), scene_triangles; scene_offsets: a geometry's first vertex and triangle; scene_images:
+// first texel, width, height; scene_texels: every texel twice, as stored and decoded from sRGB;
 // world_triangles: what rays meet, in ascending order of ids.
 #include "shading/path/path.h"
 
@@ -54,7 +55,7 @@ HM_FN bool intersect(HM_IN(WorldTriangle) t, vec3 origin, vec3 direction, float 
     hit.ids = t.ids;
     hit.distance = dot(e2, q);
     hit.barycentrics = vec2(dot(s, p), dot(direction, q));
-    // A ray in the triangle's plane has no finite numbers here, and fails these comparisons.
+    // For a ray in the triangle's plane these are infinite or NaN, and the comparisons fail.
     return hit.barycentrics.x >= 0.0f && hit.barycentrics.y >= 0.0f &&
            hit.barycentrics.x + hit.barycentrics.y <= 1.0f && hit.distance > 0.0f &&
            hit.distance < t_max;

@@ -1,9 +1,9 @@
-// Parity of the arithmetic that paths turn on (shading/exact.glsl): the same bits.
+// Parity of the arithmetic that decides branches of paths (shading/exact.glsl): the same bits.
 #include "gpu/case.h"
 
 HM_CASES_BEGIN(1, 14)
 
-// Of any size that a scene may have.
+// Of any magnitude that a scene may have.
 HM_FN float case_size(uint index, uint which) {
     uint exponent = 127u - 20u + case_bits(index, which + 100u) % 40u;
     return bits_float((case_bits(index, which) & 0x007fffffu) | (exponent << 23u));
@@ -34,7 +34,7 @@ HM_FN void run_case(uint index, HM_OUT(CaseResult) result) {
     result.choices[8] = float_bits(dot(v, w));
     result.choices[9] = float_bits(cross(v, w).y);
     result.choices[10] = float_bits(normalize(v * a).z);
-    // What a device may contract.
+    // Expressions that a device might contract.
     result.choices[11] = float_bits(a * u + b);
     result.choices[12] = float_bits(v.x * w.y - v.y * w.x);
     vec3 sum = v * a + w;

@@ -72,7 +72,7 @@ void ComputeShader::run(std::span<const std::span<std::byte>> buffers,
     rhi::DescriptorWrites writes(parts_->set_layout);
     std::vector<rhi::Buffer> on_device;
     for (const std::span<std::byte> host : buffers) {
-        // The host reads and writes it; of the tests' sizes that costs nothing.
+        // Host-visible: fast enough at the tests' sizes.
         on_device.push_back(value_of(rhi::Buffer::create(
             device, {.name = "buffer", .size = host.size(), .memory = rhi::MemoryKind::readback})));
         std::ranges::copy(host, on_device.back().mapped().begin());

@@ -2,7 +2,7 @@
 // compare the shared shading files compiled as GLSL with the same files compiled as C++.
 //
 // A failure throws std::runtime_error with the Vulkan call and its result; GoogleTest reports it.
-// What the validation layer says is a failure too.
+// Messages of the validation layer are failures too.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace hm::test {
 
 class ComputeDevice {
   public:
-    // The one that all tests of the GPU run on (rhi/test_device.h).
+    // The device that all GPU tests use (rhi/test_device.h).
     ComputeDevice();
     ~ComputeDevice();
     ComputeDevice(const ComputeDevice&) = delete;
@@ -40,8 +40,8 @@ class ComputeShader {
     ComputeShader(const ComputeShader&) = delete;
     ComputeShader& operator=(const ComputeShader&) = delete;
 
-    // Runs groups_x work groups and waits. buffers[i], none of them empty, is copied into binding i
-    // before, and back from it afterwards.
+    // Runs groups_x work groups and waits. buffers[i], which must not be empty, is copied into
+    // binding i before, and back afterwards.
     void run(std::span<const std::span<std::byte>> buffers, std::uint32_t groups_x) const;
 
   private:

@@ -90,7 +90,7 @@ void add_placed(SceneBuilder& b, int material, int glass) {
     b.place(huge, at({-0.6f, 0.7f, -0.8f}, 0.4e-11f));
 }
 
-// Triangles without area, one of them with a corner that is no number's, before the others.
+// Triangles without area, one of them with a NaN vertex, before the others.
 void add_degenerates(SceneBuilder& b, int material) {
     Primitive p =
         b.quad_primitive({-0.3f, -0.9f, 0.2f}, {0.6f, 0.1f, 0}, {0, 0.5f, -0.2f}, material);

@@ -1,14 +1,14 @@
-// What TestScene (path_tracer.h) has not: shapes and placements that the two renderers build their
-// acceleration structures from in different ways.
+// What TestScene (path_tracer.h) lacks: shapes and placements for which the two renderers build
+// their acceleration structures differently.
 #pragma once
 
 #include "scene/flatten.h"
 
 namespace hm::test {
 
-// A room with a mesh that morphs, one that wears a skin, one instanced four times, one placed twice
-// at the same place, one scaled by a billionth and its vertices by a billion, triangles without
-// area, and a picture of 16 bits per channel.
+// A room with a morphed mesh, a skinned one, one instanced four times, one placed twice by the same
+// transform, one scaled by 1e-9 with vertices scaled by 1e9, triangles without area, and an image
+// of 16 bits per channel.
 struct OddScene {
     Scene scene;
     FlatScene flat;

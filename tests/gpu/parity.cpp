@@ -1,6 +1,6 @@
 // Runs one topic's cases as GLSL on a Vulkan device and as C++, and compares. Built once per topic:
 // HM_CASES_TOPIC is its name, HM_CASES_FILE its header, shaders/cases.h the compiled parity.comp;
-// HM_CASES_OF_STAGES is there if the topic needs the stages' tables.
+// HM_CASES_OF_STAGES is defined if the topic needs the stages' tables.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,8 +39,8 @@ namespace {
 constexpr std::uint32_t kCases = 1u << 20;
 constexpr std::uint32_t kGroupSize = 64;
 
-// Differences of values this small count as absolute: below it are results that cancel to zero,
-// such as a component of a unit vector.
+// Below this magnitude differences are absolute: results that cancel to zero, such as a component
+// of a unit vector.
 constexpr float kFloor = 1e-2f;
 
 float relative_difference(float a, float b) {
@@ -99,7 +99,7 @@ void compare_value(const Results& results, std::size_t k) {
     const float largest = differences[worst];
     const auto p99 = differences.begin() + kCases / 100 * 99;
     std::ranges::nth_element(differences, p99);
-    // Beyond the percentile nothing may be quite different, but for branches taken otherwise.
+    // Beyond the percentile nothing may differ much, except where a different branch was taken.
     const auto far = std::ranges::count_if(differences, [](float d) { return d > 1e-2f; });
     std::printf("value %zu: p99 %.1e, largest %.1e, %ld above 1e-2\n", k, double(*p99),
                 double(largest), long(far));

@@ -89,7 +89,7 @@ void compare(const TestScene& scene, const ComputeShader& shader, const Variant&
     expect_same_picture(gpu, cpu, variant.name);
 }
 
-// One test for all: software devices need a minute to compile the shader.
+// One test for all settings: software devices need a minute to compile the shader.
 TEST(PathParity, SamePictureInBothLanguages) {
     const TestScene scene;
     const ComputeDevice device;

@@ -22,7 +22,7 @@ void add_samples(Renderer& renderer, std::uint32_t begin, std::uint32_t end, boo
     ASSERT_TRUE(renderer.sync());
 }
 
-// The feature scene with a clamp, so that all sums are at work.
+// The feature scene with a clamp, so that all sums are used.
 struct Bits : ::testing::Test {
     TestScene scene;
     Duel duel{scene.flat};
@@ -63,7 +63,7 @@ TEST_F(RendererBits, CropsChangeNone) {
 }
 
 // Independently seeded pictures of both devices are samples of one distribution. Unlike parity,
-// this does not rest on both taking the same paths.
+// this does not depend on both taking the same paths.
 TEST_F(RendererBits, IndependentSamplesAgreeWithTheCpu) {
     job.params.width = job.params.height = 24;
     job.params.sampler_kind = kSamplerIndependent;

@@ -32,8 +32,8 @@ CameraData camera_of(const Scene& scene, const Bounds& bounds) {
     return camera_framing(bounds, 0.8f, 1);
 }
 
-// Both pictures of a scene file are the same; how many pixels are off all the same. Nothing if it
-// can't be read: it is broken, or asks for what we do not have.
+// Expects both pictures of a scene file to be the same, and returns how many pixels still differ.
+// Nothing if it cannot be read: it is broken, or requires an unsupported extension.
 std::optional<std::size_t> expect_file_parity(const fs::path& file, const Image& sky,
                                               float intensity) {
     Diagnostics diagnostics;
@@ -90,9 +90,10 @@ TEST(RendererParity, OddShapesAndPlacements) {
     duel.expect_parity(make_job(scene.flat, scene.camera), "odd shapes and placements");
 }
 
-// Paths take the same turns, so hardly a pixel is off
-// (docs/decisions/0010-same-paths-on-every-device.md): 1 in 1000 is for hits at equal distances.
-// Where each device rounds as it likes it is 19 on lavapipe and 47 on an H100 in the hero scene.
+// Paths take the same branches, so hardly a pixel differs
+// (docs/decisions/0010-same-paths-on-every-device.md): 1 in 1000 allows for hits at equal
+// distances. With each device's own rounding it would be 19 on lavapipe and 47 on an H100 in the
+// hero scene.
 TEST(RendererParity, ShippedScenes) {
     const fs::path scenes = source_folder() / "scenes";
     const std::size_t most = kPictureSize * kPictureSize / 1000;

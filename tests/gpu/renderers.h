@@ -11,10 +11,11 @@
 namespace hm::test {
 
 // Made once for all tests of a program, with validation: its pipelines take a minute to compile on
-// a software device. HIMALAYA_TEST_DEVICE=N takes vulkan:N; else the best device, or the first one.
+// a software device. HIMALAYA_TEST_DEVICE=N selects vulkan:N; otherwise the best device, or the
+// first one.
 GpuContext& gpu_context();
 
-// Fails if the validation layer has said anything since the last call.
+// Fails if the validation layer has reported anything since the last call.
 void expect_no_messages();
 
 // 64 x 64 pixels, 16 samples, Sobol with Owen scrambling, 6 bounces.
@@ -34,7 +35,7 @@ class Duel {
     explicit Duel(const FlatScene& scene);
     Renderer& cpu() { return cpu_; }
     VulkanRenderer& gpu() { return *gpu_; }
-    // Both pictures of a job are the same. How many pixels are off all the same.
+    // Expects both pictures of a job to be the same. Returns how many pixels still differ.
     std::size_t expect_parity(const RenderJob& job, const std::string& what);
 
   private:

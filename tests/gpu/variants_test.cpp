@@ -1,4 +1,5 @@
-// Ways of drawing the same samples: they must agree in every bit, and in how many rays they trace.
+// Pipelines and launches that render the same samples must agree in every bit and in the number of
+// rays.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -27,9 +28,8 @@ struct Drawn {
 class PathTracingVariants : public ::testing::Test {
   protected:
     PathTracingVariants() {
-        const RenderJob job = make_job(scene_.flat, scene_.camera);
-        EXPECT_TRUE(is_usual(job.params));
-        expect_ok(gpu_->set_frame(job));
+        EXPECT_TRUE(is_usual(job_.params));
+        expect_ok(gpu_->set_frame(job_));
         sums_ = value_of(rhi::Image::create(device_, {"sums", rhi::Format::rgba32f, kPictureSize,
                                                       kPictureSize, 1, rhi::ImageUse::storage}));
         removed_ = value_of(rhi::Image::create(
@@ -38,6 +38,9 @@ class PathTracingVariants : public ::testing::Test {
             rhi::Buffer::create(device_, {"counters", kCounterRows * sizeof(TraceCounters)}));
     }
     void TearDown() override { expect_no_messages(); }
+
+    void set_frame(const RenderJob& job) { expect_ok(gpu_->set_frame(job)); }
+    const RenderJob& job() const { return job_; }
 
     Drawn draw(PathTracingVariant variant, Launches launches) {
         const PathTracingPass* pass = value_of(gpu_context().path_tracing(variant));
@@ -72,6 +75,7 @@ class PathTracingVariants : public ::testing::Test {
     }
 
     TestScene scene_;
+    RenderJob job_ = make_job(scene_.flat, scene_.camera);
     rhi::Device& device_ = gpu_context().device();
     std::unique_ptr<GpuScene> gpu_ =
         value_of(GpuScene::create(device_, gpu_context().layouts(), scene_.flat));
@@ -91,6 +95,19 @@ TEST_F(PathTracingVariants, LaunchesOfOneSampleAddUpToALoop) {
     EXPECT_GT(loop.rays, 2 * kSamples * loop.sums.size());
     EXPECT_EQ(loop.sums[0].w, float(kSamples));
     expect_same(loop, draw(usual, Launches::one_per_sample));
+}
+
+// The pipeline for the usual settings draws the same bits as the one that reads them from the
+// frame's values, and reads none of them there.
+TEST_F(PathTracingVariants, UsualSettingsAreSpecializationConstants) {
+    const Drawn usual = draw({.usual = true}, Launches::loop);
+    expect_same(usual, draw({}, Launches::loop));
+    RenderJob other = job();
+    other.params.energy_compensation = 0;
+    EXPECT_FALSE(is_usual(other.params));
+    set_frame(other);
+    expect_same(usual, draw({.usual = true}, Launches::loop));
+    EXPECT_NE(usual.sums, draw({}, Launches::loop).sums);
 }
 
 }  // namespace

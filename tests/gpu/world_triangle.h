@@ -1,4 +1,4 @@
-// A triangle as brute_force.h meets it: world space, with the ids that the stages know it by.
+// A triangle as brute_force.h intersects it: in world space, with its ids.
 #ifndef HM_TESTS_GPU_WORLD_TRIANGLE_H
 #define HM_TESTS_GPU_WORLD_TRIANGLE_H
 

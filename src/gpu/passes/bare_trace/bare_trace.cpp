@@ -9,7 +9,7 @@
 namespace hm {
 namespace {
 
-// Set 3, by the shader's numbers.
+// Bindings of set 3.
 constexpr std::uint32_t kRays = 0;
 constexpr std::uint32_t kCounts = 1;
 constexpr std::uint32_t kHits = 2;

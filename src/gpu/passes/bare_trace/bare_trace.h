@@ -1,5 +1,5 @@
-// The bare tracer: rays that the recording build of the path tracer kept, traced and nothing else.
-// What it takes is the least that any renderer of these rays could.
+// The bare tracer: only traces the rays that the recording build of the path tracer stored. Its
+// time is a lower bound for any renderer of these rays.
 #pragma once
 
 #include "gpu/scene.h"

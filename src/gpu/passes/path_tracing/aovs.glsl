@@ -1,5 +1,5 @@
-// What the AOV build of the stages reads and writes beside the others: the hooks of
-// shading/path/aovs.h over device addresses. Only ray generation adds to planes.
+// What the AOV build of the stages also reads and writes: the hooks of shading/path/aovs.h over device
+// addresses. Only ray generation adds to planes.
 #ifdef HM_AOVS
 layout(set = 3, binding = 8, scalar) readonly buffer Aovs {
     AovParams aovs;

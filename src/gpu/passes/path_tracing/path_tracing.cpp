@@ -1,24 +1,21 @@
 #include "gpu/passes/path_tracing/path_tracing.h"
 
 #include <array>
+#include <bit>
 #include <span>
+#include <vector>
 
 #include "graph/usage.h"
 #include "shaders/anyhit_aovs.h"
 #include "shaders/anyhit_rahit.h"
-#include "shaders/anyhit_usual.h"
 #include "shaders/closesthit_aovs.h"
 #include "shaders/closesthit_rchit.h"
-#include "shaders/closesthit_usual.h"
 #include "shaders/miss_aovs.h"
 #include "shaders/miss_rmiss.h"
-#include "shaders/miss_usual.h"
 #include "shaders/reference_view_aovs.h"
 #include "shaders/reference_view_record.h"
 #include "shaders/reference_view_reorder.h"
 #include "shaders/reference_view_rgen.h"
-#include "shaders/reference_view_usual.h"
-#include "shaders/reference_view_usual_reorder.h"
 #include "shaders/shadow_anyhit.h"
 #include "shaders/shadow_miss_rmiss.h"
 #include "shading/path/types.h"
@@ -26,7 +23,7 @@
 namespace hm {
 namespace {
 
-// Set 3, by the shaders' numbers. The denoiser's albedo and normal are AOV planes.
+// Bindings of set 3. The denoiser's albedo and normal are AOV planes.
 constexpr std::uint32_t kAccumulation = 0;
 constexpr std::uint32_t kRemoved = 4;
 constexpr std::uint32_t kCounters = 5;
@@ -48,40 +45,52 @@ constexpr std::array<rhi::Binding, 7> kTargets = {{
     {kSourceGroups, rhi::DescriptorKind::storage_buffer},
 }};
 
-rhi::RayTracingPipelineInfo stages_of(PathTracingVariant variant) {
+std::uint32_t bits_of(std::uint32_t value) {
+    return value;
+}
+std::uint32_t bits_of(float value) {
+    return std::bit_cast<std::uint32_t>(value);
+}
+
+std::vector<rhi::SpecializationConstant> usual_settings() {
+    return {
+#define HM_SETTING(id, name, usual) {id, bits_of(usual)},
+#include "gpu/passes/path_tracing/settings.inl"
+    };
+}
+
+rhi::RayTracingPipelineInfo pipeline_info(PathTracingVariant variant) {
     rhi::RayTracingPipelineInfo info;
+    info.name = "path tracing";
+    info.ray_generation = shaders::reference_view_rgen();
     info.misses = {shaders::miss_rmiss(), shaders::shadow_miss_rmiss()};
     info.hit_groups = {{shaders::closesthit_rchit(), shaders::anyhit_rahit()},
                        {{}, shaders::shadow_anyhit()}};
     if (variant.aovs) {
-        info.name = "path tracing, AOVs";
+        info.name += ", AOVs";
         info.ray_generation = shaders::reference_view_aovs();
         info.misses[0] = shaders::miss_aovs();
         info.hit_groups[0] = {shaders::closesthit_aovs(), shaders::anyhit_aovs()};
     } else if (variant.record) {
-        info.name = "path tracing, recorded";
+        info.name += ", recorded";
         info.ray_generation = shaders::reference_view_record();
-    } else if (variant.usual) {
-        info.name = "path tracing, usual settings";
-        info.ray_generation = variant.reorder ? shaders::reference_view_usual_reorder()
-                                              : shaders::reference_view_usual();
-        info.misses[0] = shaders::miss_usual();
-        info.hit_groups[0] = {shaders::closesthit_usual(), shaders::anyhit_usual()};
-    } else {
-        info.name = "path tracing";
-        info.ray_generation =
-            variant.reorder ? shaders::reference_view_reorder() : shaders::reference_view_rgen();
+    } else if (variant.reorder) {
+        info.ray_generation = shaders::reference_view_reorder();
+    }
+    if (variant.usual) {
+        info.name += ", usual settings";
+        info.constants = usual_settings();
     }
     return info;
 }
 
 }  // namespace
 
-// As load_params (bindings.glsl) has them.
 bool is_usual(const RenderParams& params) {
-    return params.sampler_kind == kSamplerSobolOwen && params.max_radiance == 0.0f &&
-           params.strategy == kStrategyMis && params.energy_compensation == 1u &&
-           params.diffuse_kind == kDiffuseLambert && params.background == kBackgroundEnvironment;
+    return true
+#define HM_SETTING(id, name, usual) &&bits_of(params.name) == bits_of(usual)
+#include "gpu/passes/path_tracing/settings.inl"
+        ;
 }
 
 Result<PathTracingPass> PathTracingPass::create(rhi::Device& device, const SceneLayouts& layouts,
@@ -94,7 +103,7 @@ Result<PathTracingPass> PathTracingPass::create(rhi::Device& device, const Scene
                                                        &pass.targets_};
     HM_TRY_ASSIGN(pass.layout_,
                   rhi::PipelineLayout::create(device, "path tracing", sets, sizeof(TraceRange)));
-    rhi::RayTracingPipelineInfo info = stages_of(variant);
+    rhi::RayTracingPipelineInfo info = pipeline_info(variant);
     info.layout = &pass.layout_;
     HM_TRY_ASSIGN(pass.pipeline_, rhi::RayTracingPipeline::create(device, info, cache));
     return pass;
@@ -116,7 +125,7 @@ void PathTracingPass::record(rhi::Commands& commands, const GpuScene& scene,
     commands.bind_set(layout_, 0, scene.scene_set());
     commands.bind_set(layout_, 1, scene.texture_set());
     commands.push_set(layout_, 3, writes);
-    // A launch adds to what the one before has stored.
+    // A launch adds to the results of the one before.
     const rhi::Scope sums =
         graph::usage_of(graph::PassKind::trace, graph::AccessKind::read_write).scope;
     const rhi::Barrier between{.before = sums, .after = sums};

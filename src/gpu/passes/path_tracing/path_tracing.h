@@ -11,20 +11,22 @@
 
 namespace hm {
 
-// Builds of the same stages.
+// Pipelines of the same stages. At most one of reorder, record and aovs.
 struct PathTracingVariant {
-    // For the settings that nearly all pictures have (is_usual): they are constants.
+    // The settings that most pictures use (is_usual) are specialization constants: about a tenth
+    // faster on an H100. Other settings share one pipeline that reads them from the frame's values:
+    // a pipeline for each combination would compile for seconds.
     bool usual = false;
     // Hits are sorted before they are shaded (VK_NV_ray_tracing_invocation_reorder).
     bool reorder = false;
-    // The rays of the first sample are kept, for gpu/bench. Not with `reorder`.
+    // The rays of the first sample are recorded, for gpu/bench.
     bool record = false;
-    // Samples also add to a film's AOV planes. Not with either of the others.
+    // Samples are also added to a film's AOV planes.
     bool aovs = false;
     auto operator<=>(const PathTracingVariant&) const = default;
 };
 
-// Whether the variant `usual` draws pictures of these settings.
+// Whether these settings are those of the variant `usual` (settings.inl).
 bool is_usual(const RenderParams& params);
 
 // What a launch adds to. Images are in layout general and of the crop's size.
@@ -44,7 +46,7 @@ class PathTracingPass {
     static Result<PathTracingPass> create(rhi::Device& device, const SceneLayouts& layouts,
                                           PathTracingVariant variant, rhi::PipelineCache* cache);
 
-    // Rows range.first_row and on of the accumulation image.
+    // Renders rows range.first_row and following of the accumulation image.
     void record(rhi::Commands& commands, const GpuScene& scene, const PathTracingTargets& targets,
                 const TraceRange& range, std::uint32_t rows,
                 Launches launches = Launches::loop) const;

@@ -1,4 +1,4 @@
-// Keeps the rays of paths for gpu/bench, in the build that HM_RECORD asks for.
+// Records the rays of paths for gpu/bench, in the build with HM_RECORD.
 #ifdef HM_RECORD
 layout(set = 3, binding = 6, scalar) writeonly buffer Rays { RecordedRay rays[]; };
 layout(set = 3, binding = 7, scalar) writeonly buffer RayCounts { RecordedCounts ray_counts[]; };

@@ -1,4 +1,4 @@
-// Miss of a shadow ray: nothing stands between.
+// Miss of a shadow ray: the light is visible.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_ray_tracing : require
