@@ -8,10 +8,4 @@ namespace hm::cli {
 // The error with its setting (Error::setting) named as a flag in the message.
 Error with_hint(Error error);
 
-template <class T>
-Result<T> with_hint(Result<T> result) {
-    if (!result) return tl::unexpected(with_hint(std::move(result.error())));
-    return result;
-}
-
 }  // namespace hm::cli
