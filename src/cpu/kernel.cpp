@@ -113,10 +113,7 @@ extern "C" void HM_RENDER_TILE(const void* tables, void* tile_data) {
                 hm::PathSample sample{};
                 stages.trace_sample(x, y, index, sample);
                 tile.rays += sample.rays;
-                if (stages.add_sample(pixel, sample))
-                    stages.add_aovs(index, sample);
-                else
-                    ++tile.non_finite;
+                tile.non_finite += stages.finish_path(index, sample, pixel);
             }
         }
 }

@@ -25,7 +25,7 @@ struct EmissionReader {
     vec4 fetch_texel(uint image, uint x, uint y, uint encoding) const {
         return fetch_image_texel(flat.images[image], x, y, encoding == kEncodingSrgb, srgb);
     }
-#include "shading/path/texture.h"
+#include "shading/texture/lookup.h"
 
     // Mean luminance over the triangle. The grid is as fine as the texels under it,
     // up to a limit: an estimate is enough, it only steers sampling.

@@ -66,6 +66,7 @@ TEST(Emitters, SamplesAreEvenOverTheirTriangles) {
         uint choice = random.bits(), coin = random.bits();
         float u = random.unit(), v = random.unit();
         LightHost::LightSample light;
+        host.begin_light_sample(light);
         host.sample_emitter(choice, coin, u, v, p, light);
         ASSERT_GT(light.pdf, 0.0f);
         EXPECT_EQ(light.radiance, vec3(2));
@@ -88,7 +89,7 @@ TEST(Emitters, SamplesAreEvenOverTheirTriangles) {
         EXPECT_NEAR(double(light.pdf), exact, 1e-3 * exact);
         HitIds ids{e.instance, e.geometry, e.primitive};
         uint geometry = flat.instances[e.instance].first_geometry + e.geometry;
-        EXPECT_NEAR(double(host.pdf_emitter(ids, geometry, float(found->t), float(cosine))),
+        EXPECT_NEAR(double(host.pdf_light_triangle(ids, geometry, float(found->t), float(cosine))),
                     double(host.params.emitter_range.pdf) * exact, 1e-4 * exact);
     }
     std::vector<double> shares;
@@ -108,6 +109,7 @@ TEST(Emitters, SingleSidedLampsShineForwardsOnly) {
                 uint choice = random.bits(), coin = random.bits();
                 float u = random.unit(), v = random.unit();
                 LightHost::LightSample light;
+                host.begin_light_sample(light);
                 host.sample_emitter(choice, coin, u, v, vec3(0, 0, z), light);
                 // Both lamps face +z, the mirrored one too.
                 EXPECT_EQ(light.pdf > 0, two_sided || z > 0);
@@ -125,6 +127,7 @@ TEST(Emitters, CoverageDimsMaskAndBlend) {
         FlatScene flat = test::flatten_quietly(b.scene);
         LightHost host(flat);
         LightHost::LightSample light;
+        host.begin_light_sample(light);
         host.sample_emitter(0, 0, 0.5f, 0.25f, vec3(0.5f, 0.5f, 1), light);
         EXPECT_NEAR(light.radiance.x, mode == kAlphaMask ? 0.0f : 1.0f, 1e-6f);
     }
@@ -144,6 +147,7 @@ TEST(Emitters, KindsArePickedAsOftenAsTheirDensitySays) {
         uint choice = random.bits(), coin = random.bits();
         float u = random.unit(), v = random.unit();
         LightHost::LightSample light;
+        host.begin_light_sample(light);
         host.sample_light(choice, coin, u, v, vec3(0, 0, 0.5f), light);
         if (light.punctual) {
             bool second = light.wi.y > 0.1f;

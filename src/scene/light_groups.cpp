@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "shading/math.h"
 
@@ -21,29 +21,46 @@ std::string layer_word(const std::string& name) {
     return word;
 }
 
-std::uint32_t add_group(LightGroups& groups, const std::string& wanted, const char* kind,
-                        std::size_t number) {
-    const std::string word =
-        wanted.empty() ? fmt::format("{}_{}", kind, number) : layer_word(wanted);
-    std::string name = word;
-    for (int n = 2; std::find(groups.names.begin(), groups.names.end(), name) != groups.names.end();
-         ++n)
-        name = fmt::format("{}_{}", word, n);
-    groups.names.push_back(name);
-    return std::uint32_t(groups.names.size()) - 1;
-}
+// Numbers words that are taken: "lamp", "lamp_2", "lamp_3", ... Names are only ever added, so the
+// search for a word's next free number goes on where its last one ended.
+class GroupNames {
+  public:
+    explicit GroupNames(std::vector<std::string>& names)
+        : names_(names), taken_(names.begin(), names.end()) {}
+
+    std::uint32_t add(const std::string& wanted, const char* kind, std::size_t number) {
+        const std::string word =
+            wanted.empty() ? fmt::format("{}_{}", kind, number) : layer_word(wanted);
+        std::string name = word;
+        if (taken_.contains(name)) {
+            std::uint32_t& next = next_.try_emplace(word, 2).first->second;
+            do {
+                name = fmt::format("{}_{}", word, next++);
+            } while (taken_.contains(name));
+        }
+        taken_.insert(name);
+        names_.push_back(std::move(name));
+        return std::uint32_t(names_.size()) - 1;
+    }
+
+  private:
+    std::vector<std::string>& names_;
+    std::unordered_set<std::string> taken_;
+    std::unordered_map<std::string, std::uint32_t> next_;
+};
 
 }  // namespace
 
 LightGroups find_light_groups(const Scene& scene, const FlatScene& flat) {
     LightGroups groups{{"environment"}, {0}};
-    std::map<int, std::uint32_t> of_light;
+    GroupNames names(groups.names);
+    std::unordered_map<int, std::uint32_t> of_light;
     for (const std::uint32_t node : flat.light_nodes) {
         const int light = scene.nodes[node].light;
         if (!of_light.contains(light)) {
             const std::string& name = scene.lights[std::size_t(light)].name;
-            of_light[light] = add_group(groups, name.empty() ? scene.nodes[node].name : name,
-                                        "light", std::size_t(light));
+            of_light[light] = names.add(name.empty() ? scene.nodes[node].name : name, "light",
+                                        std::size_t(light));
         }
         groups.source_groups.push_back(of_light[light]);
     }
@@ -53,7 +70,7 @@ LightGroups find_light_groups(const Scene& scene, const FlatScene& flat) {
             max_component(material.emissive_factor) > 0 || (material.flags & kMaterialUnlit) != 0;
         const bool named = m < scene.materials.size();
         groups.source_groups.push_back(
-            emits ? add_group(groups, named ? scene.materials[m].name : "", "material", m) : 0);
+            emits ? names.add(named ? scene.materials[m].name : "", "material", m) : 0);
     }
     return groups;
 }

@@ -38,16 +38,18 @@ HM_FN void run_texture(uint index, HM_INOUT(CaseResult) result) {
 }
 
 HM_FN void run_bsdf(uint index, HM_INOUT(CaseResult) result) {
-    vec3 base = vec3(case_unit(index, 20u), case_unit(index, 21u), case_unit(index, 22u));
-    float metallic = case_unit(index, 23u);
-    float roughness = case_between(index, 24u, 0.05f, 1.0f);
+    MaterialPoint point;
+    point.base_color = vec3(case_unit(index, 20u), case_unit(index, 21u), case_unit(index, 22u));
+    point.metallic = case_unit(index, 23u);
+    point.roughness = case_between(index, 24u, 0.05f, 1.0f);
+    point.specular_weight = 1.0f;
     vec3 wo = case_upper_direction(index, 25u);
     vec3 wi = case_upper_direction(index, 26u);
     Bsdf b;
-    make_bsdf(base, metallic, roughness, 1.0f, wo, b);
+    make_bsdf(point, wo, b);
     float pdf;
     vec3 f = eval_bsdf(b, wo, wi, pdf);
-    result.values[5] = b.p_specular;
+    result.values[5] = b.specular.probability;
     result.values[6] = f.x;
     result.values[7] = f.z;
     result.values[8] = pdf;
@@ -55,7 +57,7 @@ HM_FN void run_bsdf(uint index, HM_INOUT(CaseResult) result) {
     vec3 sampled = sample_bsdf(b, wo, lobe, case_unit(index, 28u), case_unit(index, 29u));
     result.values[9] = sampled.x;
     result.values[10] = sampled.z;
-    result.choices[4] = lobe < b.p_specular ? 1u : 0u;
+    result.choices[4] = lobe < b.specular.probability ? 1u : 0u;
 }
 
 HM_FN void run_light(uint index, HM_INOUT(CaseResult) result) {

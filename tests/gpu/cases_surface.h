@@ -4,8 +4,8 @@
 #include "shading/color.h"
 #include "shading/frame.h"
 #include "shading/geometry.h"
-#include "shading/ggx.h"
-#include "shading/lights.h"
+#include "shading/light/punctual.h"
+#include "shading/material/ggx.h"
 
 HM_CASES_BEGIN(25, 1)
 

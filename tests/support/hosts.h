@@ -18,7 +18,7 @@ struct BsdfHost {
         params.energy_compensation = energy_compensation ? 1 : 0;
     }
 
-#include "shading/path/bsdf.h"
+#include "shading/material/bsdf.h"
 };
 
 struct SamplerHost {

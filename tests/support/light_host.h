@@ -35,11 +35,10 @@ struct LightHost {
     }
 
 // clang-format off
-#include "shading/path/texture.h"
+#include "shading/texture/lookup.h"
 #include "shading/path/surface.h"
-#include "shading/path/environment.h"
-#include "shading/path/emission.h"
-#include "shading/path/light_sampling.h"
+#include "shading/material/material.h"
+#include "shading/light/light.h"
     // clang-format on
 };
 

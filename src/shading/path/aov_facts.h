@@ -21,9 +21,9 @@ HM_FN void note_surface(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, HM_IN(Surfac
 // What denoisers and compositors call the colour of a surface: of metal it is what it mirrors.
 HM_FN void note_material(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, float metallic) {
     if (p.bounce != 0u) return;
-    p.facts.albedo = min(b.diffuse + b.f0, vec3(1.0f));
+    p.facts.albedo = min(b.diffuse.color + b.specular.f0, vec3(1.0f));
     p.facts.metallic = metallic;
-    p.facts.roughness = b.roughness;
+    p.facts.roughness = b.specular.roughness;
 }
 
 HM_FN void note_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, vec3 wo, vec3 wi,

@@ -58,23 +58,21 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
     if (s.front || two_sided) {
         p.emitted = emitted_radiance(m, s.uv0, s.uv1, s.color);
         if (p.bounce > 0u && max_component(p.emitted) > 0.0f)
-            p.emitted_pdf = pdf_emitter(ids, s.geometry, s.hit_distance, -dot(s.ng, direction));
+            p.emitted_pdf =
+                pdf_light_triangle(ids, s.geometry, s.hit_distance, -dot(s.ng, direction));
     }
     note_surface(p, ids, s);
     bool last = params.max_bounces != 0u && p.bounce >= params.max_bounces;
     if (last || (m.flags & kMaterialUnlit) != 0u) return;
 
-    vec4 base = base_color(m, s.uv0, s.uv1, s.color);
-    vec4 metallic_roughness =
-        sample_texture(m.metallic_roughness_texture, kEncodingLinear, s.uv0, s.uv1);
+    MaterialPoint point;
+    load_material(m, s, point);
     Frame frame;
     make_frame(s.ns, frame);
     vec3 wo = to_local(frame, -direction);
     Bsdf b;
-    float metallic = saturate(m.metallic_factor * metallic_roughness.z);
-    make_bsdf(vec3(base.x, base.y, base.z), metallic, m.roughness_factor * metallic_roughness.y,
-              m.specular_weight, wo, b);
-    note_material(p, b, metallic);
+    make_bsdf(point, wo, b);
+    note_material(p, b, point.metallic);
     p.next_origin = offset_ray_origin(s.position, s.ng);
 
     SamplerState numbers;

@@ -17,6 +17,5 @@ HM_FN void miss(HM_INOUT(PathPayload) p, vec3 direction) {
     if (environment.intensity <= 0.0f) return;
     vec2 uv = environment_uv(direction);
     p.emitted = environment_radiance(uv);
-    if (p.bounce > 0u && params.environment_range.pdf > 0.0f)
-        p.emitted_pdf = params.environment_range.pdf * pdf_environment(direction, uv);
+    if (p.bounce > 0u) p.emitted_pdf = pdf_light_environment(direction, uv);
 }

@@ -3,15 +3,15 @@
 // declarations.
 // clang-format off
 #include "shading/path/sampler.h"
-#include "shading/path/texture.h"
+#include "shading/texture/lookup.h"
 #include "shading/path/surface.h"
-#include "shading/path/bsdf.h"
-#include "shading/path/environment.h"
-#include "shading/path/emission.h"
-#include "shading/path/light_sampling.h"
+#include "shading/material/material.h"
+#include "shading/material/bsdf.h"
+#include "shading/light/light.h"
 #include "shading/path/any_hit.h"
 #include "shading/path/closest_hit.h"
 #include "shading/path/miss.h"
+#include "shading/path/steps.h"
 #include "shading/path/ray_generation.h"
-#include "shading/path/accumulate.h"
+#include "shading/path/finish.h"
 // clang-format on

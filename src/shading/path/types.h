@@ -101,6 +101,16 @@ struct PathSample {
 #endif
 };
 
+// A path under way: its next ray and what has been gathered on the way there. What the last ray met
+// is in the payload.
+struct PathState {
+    vec3 origin;  // of the next ray
+    vec3 direction;
+    vec3 throughput;  // product of f cos / pdf so far, over the roulette's survival
+    float pdf_bsdf;   // solid-angle density of `direction`; not read for a camera ray
+    uint sample_key;  // what ray_key makes the keys of the sample's rays from
+};
+
 // The sums of one pixel's samples, in the order of their indices.
 struct PixelSum {
     vec3 radiance;  // premultiplied, linear Rec.709

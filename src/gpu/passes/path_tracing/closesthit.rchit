@@ -8,12 +8,11 @@
 layout(location = 0) rayPayloadInEXT PathPayload path_payload;
 
 #include "shading/path/sampler.h"
-#include "shading/path/texture.h"
+#include "shading/texture/lookup.h"
 #include "shading/path/surface.h"
-#include "shading/path/bsdf.h"
-#include "shading/path/environment.h"
-#include "shading/path/emission.h"
-#include "shading/path/light_sampling.h"
+#include "shading/material/material.h"
+#include "shading/material/bsdf.h"
+#include "shading/light/light.h"
 #include "shading/path/closest_hit.h"
 
 void main() {

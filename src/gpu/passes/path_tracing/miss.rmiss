@@ -7,8 +7,10 @@
 
 layout(location = 0) rayPayloadInEXT PathPayload path_payload;
 
-#include "shading/path/texture.h"
-#include "shading/path/environment.h"
+#include "shading/texture/lookup.h"
+#include "shading/path/surface.h"
+#include "shading/material/material.h"
+#include "shading/light/light.h"
 #include "shading/path/miss.h"
 
 void main() {

@@ -69,14 +69,14 @@ TEST(Bsdf, IsAppendixBWithoutCompensation) {
         vec3 wi = i % 2 == 0 ? random_upper(random, 0.01f)
                              : near_mirror(random, wo, roughness * roughness);
         BsdfHost::Bsdf b;
-        host.make_bsdf(base, metallic, roughness, weight, wo, b);
+        host.make_bsdf({base, metallic, roughness, weight}, wo, b);
         float pdf;
         glm::dvec3 f(host.eval_bsdf(b, wo, wi, pdf));
         glm::dvec3 exact =
             Appendix{glm::dvec3(base), double(metallic), double(roughness), double(weight)}.eval(
                 wo, wi);
         // What is known of the half vector from float directions, in widths of the lobe.
-        double blur = 1e-7 / double(b.alpha * length(wo + wi));
+        double blur = 1e-7 / double(b.specular.alpha * length(wo + wi));
         for (std::size_t k = 0; k < 3; ++k)
             worst = std::max(worst, std::abs(f[k] - exact[k]) / exact[k] / (1e-5 + 4 * blur));
     }
@@ -91,7 +91,7 @@ TEST(Bsdf, SmoothestIsAppendixBAtRoughnessFourHundredths) {
         vec3 wo = random_upper(random, 0.05f);
         vec3 wi = near_mirror(random, wo, 0.0016f);
         BsdfHost::Bsdf b;
-        host.make_bsdf(vec3(0.9f), 1, i % 2 == 0 ? 0.0f : 0.04f, 1, wo, b);
+        host.make_bsdf({vec3(0.9f), 1, i % 2 == 0 ? 0.0f : 0.04f, 1}, wo, b);
         float pdf;
         double f = double(host.eval_bsdf(b, wo, wi, pdf).x);
         double exact = Appendix{glm::dvec3(double(0.9f)), 1, 0.04, 1}.eval(wo, wi).x;
@@ -113,9 +113,9 @@ TEST(Bsdf, IsReciprocal) {
                                 : near_mirror(random, a, roughness * roughness);
             BsdfHost::Bsdf b;
             float pdf;
-            host.make_bsdf(base, metallic, roughness, weight, a, b);
+            host.make_bsdf({base, metallic, roughness, weight}, a, b);
             vec3 forward = host.eval_bsdf(b, a, c, pdf) / c.z;
-            host.make_bsdf(base, metallic, roughness, weight, c, b);
+            host.make_bsdf({base, metallic, roughness, weight}, c, b);
             vec3 backward = host.eval_bsdf(b, c, a, pdf) / a.z;
             for (std::size_t k = 0; k < 3; ++k)
                 worst = std::max(worst, double(std::abs(forward[k] - backward[k]) /
@@ -128,7 +128,7 @@ TEST(Bsdf, IsReciprocal) {
 TEST(Bsdf, NothingBelowTheHorizon) {
     BsdfHost host(true);
     BsdfHost::Bsdf b;
-    host.make_bsdf(vec3(0.5f), 0.5f, 0.5f, 1, direction(0.5f, 0), b);
+    host.make_bsdf({vec3(0.5f), 0.5f, 0.5f, 1}, direction(0.5f, 0), b);
     float pdf = 1;
     EXPECT_EQ(host.eval_bsdf(b, direction(0.5f, 0), direction(-0.1f, 2), pdf), vec3(0));
     EXPECT_EQ(pdf, 0.0f);
@@ -156,9 +156,10 @@ TEST(Bsdf, SamplesMatchTheMixturesDensity) {
                     BsdfHost host(compensation);
                     vec3 wo = direction(cos_o, 2.0f);
                     BsdfHost::Bsdf b;
-                    host.make_bsdf(vec3(0.8f, 0.4f, 0.1f), look.metallic, roughness,
-                                   look.specular_weight, wo, b);
-                    test::HalfVectorGrid grid(wo, b.alpha);
+                    host.make_bsdf(
+                        {vec3(0.8f, 0.4f, 0.1f), look.metallic, roughness, look.specular_weight},
+                        wo, b);
+                    test::HalfVectorGrid grid(wo, b.specular.alpha);
                     test::Histogram histogram(grid.kBins);
                     for (int i = 0; i < kSamples; ++i) {
                         float lobe = random.unit(), u = random.unit(), v = random.unit();

@@ -1,5 +1,5 @@
 // GGX against a restatement in double from Heitz (2014), and its sampling against its density.
-#include "shading/ggx.h"
+#include "shading/material/ggx.h"
 
 #include <gtest/gtest.h>
 

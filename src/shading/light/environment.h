@@ -50,19 +50,17 @@ HM_FN float pdf_environment(vec3 d, vec2 uv) {
 // A direction, its radiance and density. choice and coin are 32-bit numbers, u and v in [0, 1).
 HM_FN vec3 sample_environment(uint choice, uint coin, float u, float v, HM_OUT(vec3) radiance,
                               HM_OUT(float) pdf) {
-    uint slot = mul_high(choice, environment.width * environment.height);
-    HM_ROW(AliasEntry) entry = environment_alias[slot];
-    bool own = coin < entry.threshold;
-    uint texel = own ? slot : entry.alias;
-    float p = own ? entry.pdf_self : entry.pdf_alias;
-    uint y = texel / environment.width;
-    uint x = texel - y * environment.width;
+    uint slot = alias_slot(choice, environment.width * environment.height);
+    AliasDraw drawn;
+    draw_alias(slot, environment_alias[slot], coin, drawn);
+    uint y = drawn.index / environment.width;
+    uint x = drawn.index - y * environment.width;
     vec2 uv = vec2(divide(float(x) + u, float(environment.width)),
                    divide(float(y) + v, float(environment.height)));
     vec2 theta = cos_sin_2pi(0.5f * uv.y);
     float turn = uv.x - 0.5f - environment.u_offset;
     vec2 phi = cos_sin_2pi(turn - floor(turn));
     radiance = environment_radiance(uv);
-    pdf = p * environment_pdf_scale(theta.y);
+    pdf = drawn.pdf * environment_pdf_scale(theta.y);
     return vec3(theta.y * phi.x, theta.x, theta.y * phi.y);
 }

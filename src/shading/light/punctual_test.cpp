@@ -1,5 +1,5 @@
 // Punctual lights against KHR_lights_punctual, and camera rays.
-#include "shading/lights.h"
+#include "shading/light/punctual.h"
 
 #include <gtest/gtest.h>
 

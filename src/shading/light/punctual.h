@@ -1,6 +1,6 @@
 // Punctual lights as KHR_lights_punctual defines them.
-#ifndef HM_SHADING_LIGHTS_H
-#define HM_SHADING_LIGHTS_H
+#ifndef HM_SHADING_LIGHT_PUNCTUAL_H
+#define HM_SHADING_LIGHT_PUNCTUAL_H
 
 #include "shading/math.h"
 #include "shading/structs.h"

@@ -20,7 +20,7 @@ constexpr float kCosines[] = {0.05f, 0.1f, 0.2f, 0.4f, 0.7f, 1.0f};
 
 BsdfHost::Bsdf white(BsdfHost& host, float metallic, float roughness, float weight, float cos_o) {
     BsdfHost::Bsdf b;
-    host.make_bsdf(vec3(1), metallic, roughness, weight, direction(cos_o, 0.3f), b);
+    host.make_bsdf({vec3(1), metallic, roughness, weight}, direction(cos_o, 0.3f), b);
     return b;
 }
 
@@ -91,7 +91,7 @@ TEST(Furnace, LambertianIsExact) {
         BsdfHost host(compensation);
         for (float cos_o : kCosines) {
             BsdfHost::Bsdf b = white(host, 0, 0.3f, 0, cos_o);
-            EXPECT_EQ(b.p_specular, 0.0f);
+            EXPECT_EQ(b.specular.probability, 0.0f);
             EXPECT_NEAR(sampled_albedo(host, b, cos_o, 1024), 1, 2e-6);
             float pdf;
             vec3 f = host.eval_bsdf(b, direction(cos_o, 0), direction(0.5f, 2), pdf);
@@ -131,7 +131,7 @@ TEST(Furnace, NoMaterialGainsEnergyWhateverItsColour) {
         float metallic = random.unit(), roughness = random.unit(), weight = random.unit();
         float cos_o = random.between(0.02f, 1);
         BsdfHost::Bsdf b;
-        host.make_bsdf(base, metallic, roughness, weight, direction(cos_o, 0.3f), b);
+        host.make_bsdf({base, metallic, roughness, weight}, direction(cos_o, 0.3f), b);
         double albedo = sampled_albedo(host, b, cos_o, 4096);
         EXPECT_LT(albedo, 1.01) << base.x << " " << metallic << " " << roughness << " " << cos_o;
         // A rough grey metal darkens as light meets it more than once.

@@ -1,8 +1,8 @@
 // The isotropic GGX microfacet distribution (glTF 2.0 Appendix B.3) with height-correlated Smith
 // masking (Heitz 2014), and bounded sampling of its visible normals (Eto and Tokuyoshi, "Bounded
 // VNDF Sampling for Smith-GGX Reflections", 2023). Directions are local, z along the normal.
-#ifndef HM_SHADING_GGX_H
-#define HM_SHADING_GGX_H
+#ifndef HM_SHADING_MATERIAL_GGX_H
+#define HM_SHADING_MATERIAL_GGX_H
 
 #include "shading/math.h"
 

@@ -1,0 +1,40 @@
+// Directional albedo of the GGX lobe, split by Schlick's Fresnel into f0 * x + f90 * y. x + y is
+// the albedo of a perfect mirror; what it lacks to 1 is light that meets the microfacets more than
+// once.
+//
+// Tables: albedo_table[32 * 32], albedo_average[32] (tools/make_albedo_table): x and y; columns
+// over sqrt(cos), rows over roughness.
+
+HM_CONST uint kAlbedoSize = 32u;
+
+// The split albedo at a cosine.
+HM_FN vec2 lookup_albedo(float cos_theta, float roughness) {
+    HM_MAY_CONTRACT
+    float last = float(kAlbedoSize - 1u);
+    float column = fast_sqrt(saturate(cos_theta)) * last;
+    float row = saturate(roughness) * last;
+    uint c = min(uint(column), kAlbedoSize - 2u);
+    uint r = min(uint(row), kAlbedoSize - 2u);
+    float fc = column - float(c);
+    float fr = row - float(r);
+    uint i = r * kAlbedoSize + c;
+    vec2 low = albedo_table[i] * (1.0f - fc) + albedo_table[i + 1u] * fc;
+    vec2 high =
+        albedo_table[i + kAlbedoSize] * (1.0f - fc) + albedo_table[i + kAlbedoSize + 1u] * fc;
+    return low * (1.0f - fr) + high * fr;
+}
+
+// Its cosine-weighted mean over all directions.
+HM_FN vec2 lookup_albedo_average(float roughness) {
+    float row = saturate(roughness) * float(kAlbedoSize - 1u);
+    uint r = min(uint(row), kAlbedoSize - 2u);
+    float fr = row - float(r);
+    return albedo_average[r] * (1.0f - fr) + albedo_average[r + 1u] * fr;
+}
+
+// Fresnel factor F_ms of light that scattered more than once between microfacets (Hill 2018), for
+// an average mirror albedo. The cosine-weighted mean of Schlick is f0 + (f90 - f0) / 21.
+HM_FN float multiple_fresnel(float f0, float f90, float e_average) {
+    float f = f0 + (f90 - f0) / 21.0f;
+    return f * f * e_average / (1.0f - f * (1.0f - e_average));
+}
