@@ -2,37 +2,29 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <string>
+
+#include "scene/material_parameters.h"
 
 namespace hm::gltf {
 namespace {
 
 // "#" stands for the owner's number. The glTF 2.0 Asset Object Model lists all that may be pointed
-// at; what is missing here (texture transforms, single weights, a mesh's weights) is left out with
-// a warning.
+// at. Materials have a list of their own (scene/material_parameters.h); what is missing in both
+// (texture transforms, single weights, a mesh's weights) is left out with a warning.
 struct Property {
     std::string_view pointer;
-    std::variant<std::monostate, AnimatedProperty, AnimatedValue> what;
+    Pointed what;
 };
 constexpr std::string_view kLights = "/extensions/KHR_lights_punctual/lights";
-constexpr std::array<Property, 25> kProperties{{
+constexpr std::array<Property, 17> kProperties{{
     {"/nodes/#/translation", AnimatedProperty::translation},
     {"/nodes/#/rotation", AnimatedProperty::rotation},
     {"/nodes/#/scale", AnimatedProperty::scale},
     {"/nodes/#/weights", AnimatedProperty::weights},
     {"/nodes/#/extensions/KHR_node_visibility/visible", AnimatedValue::node_visible},
-    {"/materials/#/pbrMetallicRoughness/baseColorFactor", AnimatedValue::base_color},
-    {"/materials/#/pbrMetallicRoughness/metallicFactor", AnimatedValue::metallic},
-    {"/materials/#/pbrMetallicRoughness/roughnessFactor", AnimatedValue::roughness},
-    {"/materials/#/emissiveFactor", AnimatedValue::emissive_factor},
-    {"/materials/#/extensions/KHR_materials_emissive_strength/emissiveStrength",
-     AnimatedValue::emissive_strength},
-    {"/materials/#/alphaCutoff", AnimatedValue::alpha_cutoff},
-    {"/materials/#/normalTexture/scale", AnimatedValue::normal_scale},
-    {"/materials/#/occlusionTexture/strength", {}},
     {"/extensions/KHR_lights_punctual/lights/#/color", AnimatedValue::light_color},
     {"/extensions/KHR_lights_punctual/lights/#/intensity", AnimatedValue::light_intensity},
     {"/extensions/KHR_lights_punctual/lights/#/range", AnimatedValue::light_range},
@@ -70,6 +62,21 @@ std::optional<Parts> split(std::string_view pointer) {
     return out;
 }
 
+std::optional<Pointed> find_material_property(std::string_view rest) {
+    for (const MaterialFactor& factor : material_factors())
+        if (pointer_in_material(factor.owner, factor.key) == rest)
+            return factor.animated ? Pointed(factor.value) : Pointed();
+    return std::nullopt;
+}
+
+std::optional<Pointed> find_property(const Parts& parts) {
+    if (parts.table == "/materials") return find_material_property(parts.rest);
+    const std::string pattern = fmt::format("{}/#{}", parts.table, parts.rest);
+    for (const Property& property : kProperties)
+        if (property.pointer == pattern) return property.what;
+    return std::nullopt;
+}
+
 }  // namespace
 
 // A file may have as many channels as owners, so none is looked for from the table's start.
@@ -100,16 +107,13 @@ Result<std::optional<PointedProperty>> PointerReader::read(const Json& target) {
                   extension->required("pointer", extension->text("pointer")));
     const auto parts = split(pointer);
     if (!parts) return std::nullopt;
-    const std::string pattern = fmt::format("{}/#{}", parts->table, parts->rest);
-    const auto* const known =
-        std::find_if(kProperties.begin(), kProperties.end(),
-                     [&](const Property& property) { return property.pointer == pattern; });
-    if (known == kProperties.end()) return std::nullopt;
+    const auto known = find_property(*parts);
+    if (!known) return std::nullopt;
     HM_TRY_ASSIGN(const bool found, leads_somewhere(parts->table, parts->owner, parts->rest));
     if (!found)
         return extension->invalid("pointer",
                                   fmt::format("{} leads to nothing in the file", excerpt(pointer)));
-    return PointedProperty{known->what, parts->owner};
+    return PointedProperty{*known, parts->owner};
 }
 
 }  // namespace hm::gltf

@@ -13,9 +13,11 @@
 
 namespace hm::gltf {
 
+// std::monostate: the property exists, but changes no picture.
+using Pointed = std::variant<std::monostate, AnimatedProperty, AnimatedValue>;
+
 struct PointedProperty {
-    // Nothing: it exists, but changes no picture.
-    std::variant<std::monostate, AnimatedProperty, AnimatedValue> what;
+    Pointed what;
     std::size_t owner = 0;  // the file's number of the node, material, light or camera
 };
 

@@ -7,19 +7,17 @@
 #include <charconv>
 #include <set>
 
+#include "scene/material_parameters.h"
+
 namespace hm::gltf {
 namespace {
 
 constexpr std::string_view kQuantization = "KHR_mesh_quantization";
-constexpr std::array<std::string_view, 9> kSupported{"EXT_mesh_gpu_instancing",
-                                                     "KHR_animation_pointer",
-                                                     "KHR_lights_punctual",
-                                                     "KHR_materials_emissive_strength",
-                                                     "KHR_materials_unlit",
-                                                     "KHR_materials_variants",
-                                                     kQuantization,
-                                                     "KHR_node_visibility",
-                                                     "KHR_texture_transform"};
+// Beside those of the list of material parameters.
+constexpr std::array<std::string_view, 8> kSupported{
+    "EXT_mesh_gpu_instancing", "KHR_animation_pointer",  "KHR_lights_punctual",
+    "KHR_materials_unlit",     "KHR_materials_variants", kQuantization,
+    "KHR_node_visibility",     "KHR_texture_transform"};
 
 struct Version {
     unsigned major = 0;
@@ -68,7 +66,8 @@ void warn_of_ignored(const ExtensionUses& uses, const std::vector<std::string_vi
 }  // namespace
 
 bool is_supported(std::string_view extension) {
-    return std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();
+    return has_material_parameters(extension) ||
+           std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();
 }
 
 Result<void> check_asset(const Json& root) {

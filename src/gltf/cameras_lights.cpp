@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "scene/choice_names.h"
+
 namespace hm::gltf {
 namespace {
 
@@ -81,14 +83,9 @@ Result<Light> read_light(const Json& item, Source& source) {
     Light light;
     HM_TRY_ASSIGN(light.name, item.name());
     HM_TRY_ASSIGN(const std::string_view type, item.required("type", item.text("type")));
-    if (type == "directional")
-        light.kind = kLightDirectional;
-    else if (type == "point")
-        light.kind = kLightPoint;
-    else if (type == "spot")
-        light.kind = kLightSpot;
-    else
-        return item.invalid("type", fmt::format("{} is no light", excerpt(type)));
+    const auto kind = find_choice(kLightKindNames, type);
+    if (!kind) return item.invalid("type", fmt::format("{} is no light", excerpt(type)));
+    light.kind = *kind;
 
     std::array<float, 3> color{1, 1, 1};
     HM_TRY(item.numbers("color", color));

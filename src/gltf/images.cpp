@@ -9,11 +9,11 @@
 #include <numeric>
 
 #include "gltf/budget.h"
-#include "gltf/materials.h"
 #include "gltf/uri.h"
 #include "image/codecs.h"
 #include "image/decoded_size.h"
 #include "image/read.h"
+#include "scene/material_parameters.h"
 
 namespace hm::gltf {
 namespace {
@@ -86,8 +86,10 @@ std::vector<int> choose(const std::vector<Material>& materials, const std::vecto
                         std::size_t image_count, std::vector<std::size_t>& chosen) {
     std::vector<bool> needed(image_count, false);
     for (std::size_t m = 0; m < materials.size(); ++m)
-        for (const TextureSlot* slot : texture_slots(materials[m]))
-            if (used[m] && slot->image != kUnset) needed[std::size_t(slot->image)] = true;
+        for (const MaterialTexture& texture : material_textures()) {
+            const int image = (materials[m].*texture.slot).image;
+            if (used[m] && image != kUnset) needed[std::size_t(image)] = true;
+        }
     std::vector<int> new_index(image_count, kUnset);
     for (std::size_t i = 0; i < image_count; ++i) {
         if (!needed[i]) continue;
@@ -121,8 +123,10 @@ Result<std::vector<Image>> read_images(const Json& root, Source& source,
     std::vector<std::size_t> chosen;
     const std::vector<int> new_index = choose(materials, used, items.size(), chosen);
     for (Material& material : materials)
-        for (TextureSlot* slot : texture_slots(material))
-            if (slot->image != kUnset) slot->image = new_index[std::size_t(slot->image)];
+        for (const MaterialTexture& texture : material_textures()) {
+            int& image = (material.*texture.slot).image;
+            if (image != kUnset) image = new_index[std::size_t(image)];
+        }
 
     std::vector<Encoded> encoded;
     for (const std::size_t i : chosen) {

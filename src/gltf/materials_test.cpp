@@ -36,7 +36,7 @@ TEST(Materials, Defaults) {
     EXPECT_EQ(m.base_color, vec4(1));
     EXPECT_EQ(m.metallic, 1.0f);
     EXPECT_EQ(m.roughness, 1.0f);
-    EXPECT_EQ(m.emissive, vec3(0));
+    EXPECT_EQ(m.emissive(), vec3(0));
     EXPECT_EQ(m.normal_scale, 1.0f);
     EXPECT_EQ(m.occlusion_strength, 1.0f);
     EXPECT_EQ(m.specular_weight, 1.0f);
@@ -58,7 +58,7 @@ TEST(Materials, EveryProperty) {
     EXPECT_EQ(m.base_color, vec4(0.1f, 0.2f, 0.3f, 0.4f));
     EXPECT_EQ(m.metallic, 0.5f);
     EXPECT_EQ(m.roughness, 0.25f);
-    EXPECT_EQ(m.emissive, vec3(4, 8, 0));
+    EXPECT_EQ(m.emissive(), vec3(4, 8, 0));
     EXPECT_EQ(m.normal_scale, -2.0f);
     EXPECT_EQ(m.occlusion_strength, 0.75f);
     EXPECT_EQ(m.alpha_mode, kAlphaMask);
@@ -147,7 +147,7 @@ TEST(Materials, ClampsWithAWarning) {
     EXPECT_EQ(m.base_color, vec4(1, 0, 0.5f, 1));
     EXPECT_EQ(m.metallic, 1.0f);
     EXPECT_EQ(m.roughness, 0.0f);
-    EXPECT_EQ(m.emissive, vec3(1, 0, 0));
+    EXPECT_EQ(m.emissive(), vec3(1, 0, 0));
     EXPECT_EQ(m.occlusion_strength, 1.0f);
     EXPECT_EQ(m.alpha_cutoff, 0.0f);
     // One line for what is clamped to 0..1, with the pointer that was first, and one for the

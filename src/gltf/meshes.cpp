@@ -9,10 +9,10 @@
 #include "gltf/attributes.h"
 #include "gltf/budget.h"
 #include "gltf/influences.h"
-#include "gltf/materials.h"
 #include "gltf/morph.h"
 #include "gltf/triangles.h"
 #include "gltf/variants.h"
+#include "scene/material_parameters.h"
 
 namespace hm::gltf {
 namespace {
@@ -71,9 +71,10 @@ Result<std::optional<Topology>> read_topology(const Json& json, Source& source) 
 // A textured material reads zeros where the primitive lacks the coordinates.
 void check_texture_coordinates(const Json& json, Source& source, const Material& material,
                                const Attributes& attributes) {
-    for (const TextureSlot* slot : texture_slots(material)) {
-        if (slot->image == kUnset) continue;
-        const bool present = (slot->uv_set == 0 ? attributes.uv0 : attributes.uv1).has_value();
+    for (const MaterialTexture& texture : material_textures()) {
+        const TextureSlot& slot = material.*texture.slot;
+        if (slot.image == kUnset) continue;
+        const bool present = (slot.uv_set == 0 ? attributes.uv0 : attributes.uv1).has_value();
         if (present) continue;
         source.warn(json.pointer(),
                     "the material's textures need coordinates that are missing; "
@@ -83,9 +84,10 @@ void check_texture_coordinates(const Json& json, Source& source, const Material&
 }
 
 bool reads_second_coordinates(const Material& material) {
-    const auto slots = texture_slots(material);
-    return std::any_of(slots.begin(), slots.end(), [](const TextureSlot* slot) {
-        return slot->image != kUnset && slot->uv_set == 1;
+    const auto textures = material_textures();
+    return std::any_of(textures.begin(), textures.end(), [&](const MaterialTexture& texture) {
+        const TextureSlot& slot = material.*texture.slot;
+        return slot.image != kUnset && slot.uv_set == 1;
     });
 }
 

@@ -131,7 +131,7 @@ std::uint32_t Scene::add_material(const Material& material) {
         added.metallic = material.metallic;
         added.roughness = material.roughness;
         added.specular_weight = material.specular;
-        added.emissive = added.emissive_factor = to_glm(material.emission);
+        added.emissive_factor = to_glm(material.emission);
         added.alpha_mode = material.alpha_mode == AlphaMode::mask    ? hm::kAlphaMask
                            : material.alpha_mode == AlphaMode::blend ? hm::kAlphaBlend
                                                                      : hm::kAlphaOpaque;

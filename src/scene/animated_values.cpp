@@ -4,6 +4,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "scene/material_parameters.h"
+
 namespace hm {
 namespace {
 
@@ -12,23 +14,8 @@ template <class AnyScene>
 auto floats_of(AnyScene& scene, AnimatedValue value, std::size_t owner) {
     using Float = std::conditional_t<std::is_const_v<AnyScene>, const float, float>;
     using Floats = std::span<Float>;
+    if (find_material_factor(value)) return material_floats(scene.materials[owner], value);
     switch (value) {
-        case AnimatedValue::node_visible:
-            break;
-        case AnimatedValue::base_color:
-            return Floats(&scene.materials[owner].base_color.x, 4);
-        case AnimatedValue::metallic:
-            return Floats(&scene.materials[owner].metallic, 1);
-        case AnimatedValue::roughness:
-            return Floats(&scene.materials[owner].roughness, 1);
-        case AnimatedValue::emissive_factor:
-            return Floats(&scene.materials[owner].emissive_factor.x, 3);
-        case AnimatedValue::emissive_strength:
-            return Floats(&scene.materials[owner].emissive_strength, 1);
-        case AnimatedValue::alpha_cutoff:
-            return Floats(&scene.materials[owner].alpha_cutoff, 1);
-        case AnimatedValue::normal_scale:
-            return Floats(&scene.materials[owner].normal_scale, 1);
         case AnimatedValue::light_color:
             return Floats(&scene.lights[owner].color.x, 3);
         case AnimatedValue::light_intensity:
@@ -45,8 +32,9 @@ auto floats_of(AnyScene& scene, AnimatedValue value, std::size_t owner) {
             return Floats(&scene.cameras[owner].xmag, 1);
         case AnimatedValue::ymag:
             return Floats(&scene.cameras[owner].ymag, 1);
+        default:
+            return Floats();
     }
-    return Floats();
 }
 
 struct Range {
@@ -57,20 +45,14 @@ Range range_of(AnimatedValue value) {
     constexpr float kMost = std::numeric_limits<float>::max();
     constexpr float kLeast = 1e-4f;  // of what must be above 0
     constexpr float kPi = 3.14159265f;
+    if (const MaterialFactor* factor = find_material_factor(value))
+        return {factor->low, factor->high};
     switch (value) {
         case AnimatedValue::node_visible:
-        case AnimatedValue::base_color:
-        case AnimatedValue::metallic:
-        case AnimatedValue::roughness:
-        case AnimatedValue::emissive_factor:
             return {0, 1};
-        case AnimatedValue::emissive_strength:
-        case AnimatedValue::alpha_cutoff:
         case AnimatedValue::light_color:
         case AnimatedValue::light_intensity:
             return {0, kMost};
-        case AnimatedValue::normal_scale:
-            return {-kMost, kMost};
         case AnimatedValue::light_range:
         case AnimatedValue::xmag:
         case AnimatedValue::ymag:
@@ -81,22 +63,16 @@ Range range_of(AnimatedValue value) {
             return {kLeast, kPi / 2};
         case AnimatedValue::yfov:
             return {kLeast, kPi - kLeast};
+        default:
+            return {0, 0};
     }
-    return {0, 0};
 }
 
 }  // namespace
 
 std::size_t width(AnimatedValue value) {
-    switch (value) {
-        case AnimatedValue::base_color:
-            return 4;
-        case AnimatedValue::emissive_factor:
-        case AnimatedValue::light_color:
-            return 3;
-        default:
-            return 1;
-    }
+    if (const MaterialFactor* factor = find_material_factor(value)) return factor->components;
+    return value == AnimatedValue::light_color ? 3 : 1;
 }
 
 std::array<float, 4> get_value(const Scene& scene, AnimatedValue value, std::size_t owner) {
@@ -117,10 +93,6 @@ void set_value(Scene& scene, AnimatedValue value, std::size_t owner, std::span<c
     }
     const auto floats = floats_of(scene, value, owner);
     std::copy_n(to.begin(), floats.size(), floats.begin());
-    if (value == AnimatedValue::emissive_factor || value == AnimatedValue::emissive_strength) {
-        Material& material = scene.materials[owner];
-        material.emissive = material.emissive_factor * material.emissive_strength;
-    }
 }
 
 void clamp_value(AnimatedValue value, std::span<float> numbers) {

@@ -32,16 +32,13 @@ struct Channel {
     AnimatedProperty property = AnimatedProperty::translation;
 };
 
-// Values outside the nodes' transforms and weights (animated_values.h).
+// Values outside the nodes' transforms and weights (animated_values.h). Those of materials are
+// called as the members of Material.
 enum class AnimatedValue {
     node_visible,
-    base_color,
-    metallic,
-    roughness,
-    emissive_factor,
-    emissive_strength,
-    alpha_cutoff,
-    normal_scale,
+#define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
+    member,
+#include "shading/material/parameters.inl"
     light_color,
     light_intensity,
     light_range,

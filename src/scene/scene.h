@@ -31,24 +31,19 @@ struct TextureSlot {
 
 struct Material {
     std::string name;
-    vec4 base_color{1, 1, 1, 1};
-    float metallic = 1;
-    float roughness = 1;
-    vec3 emissive{0, 0, 0};         // strength included
-    vec3 emissive_factor{0, 0, 0};  // what `emissive` is the product of, where animations set one
-    float emissive_strength = 1;
-    float normal_scale = 1;
-    float occlusion_strength = 1;
-    float specular_weight = 1;
-    float alpha_cutoff = 0.5f;
+    // base_color, metallic, ..., base_color_texture, ...: as the list has them.
+#define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
+    type member = type(start);
+#define HM_TEXTURE(owner, key, slot, read, encoding, meaning) TextureSlot slot{};
+#include "shading/material/parameters.inl"
+    float specular_weight = 1;  // no file sets it
     std::uint32_t alpha_mode = kAlphaOpaque;
     bool double_sided = false;
     bool unlit = false;
-    TextureSlot base_color_texture;
-    TextureSlot metallic_roughness_texture;
-    TextureSlot normal_texture;
-    TextureSlot occlusion_texture;
-    TextureSlot emissive_texture;
+
+    vec3 emissive() const {
+        return emissive_factor * emissive_strength;
+    }
 };
 
 // Triangles of one material. Without normals it is shaded flat; `tangent` is read only with

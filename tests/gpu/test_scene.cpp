@@ -90,10 +90,10 @@ void add_materials(Scene& scene) {
     scene.materials[kGlassy].roughness = 0.1f;
     scene.materials[kGlassy].double_sided = true;
 
-    scene.materials[kLamp].emissive = {9, 8, 6};
+    scene.materials[kLamp].emissive_factor = {9, 8, 6};
     scene.materials[kLamp].metallic = 0;
 
-    scene.materials[kSign].emissive = {2, 2, 2};
+    scene.materials[kSign].emissive_factor = {2, 2, 2};
     scene.materials[kSign].emissive_texture = slot(kPattern, kWrapRepeat, 1);
     scene.materials[kSign].double_sided = true;
 

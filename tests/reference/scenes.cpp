@@ -80,7 +80,7 @@ void add_block(SceneBuilder& builder, vec3 center, vec3 half, float degrees, int
 
 int lambert(SceneBuilder& builder, vec3 albedo, vec3 emissive = vec3(0)) {
     Material m = lambertian(albedo);
-    m.emissive = emissive;
+    m.emissive_factor = emissive;
     return builder.material(m);
 }
 

@@ -273,7 +273,7 @@ TEST(Aovs, BouncesFallIntoTheirPasses) {
     const vec3 emission(1, 0.5f, 0.25f);
     SceneBuilder b;
     Material m = test::lambertian(vec3(albedo));
-    m.emissive = emission;
+    m.emissive_factor = emission;
     b.place(test::add_cube(b, true, b.material(m)));
     Studio studio(b.scene);
     CameraData camera = test::flat_camera(vec3(0.2f, -0.1f, 0.3f), vec3(1, 2, 3), 0.3f);

@@ -100,7 +100,7 @@ SceneBuilder bumpy_shell(bool mirrored_vertices) {
     for (int i = 0; i < 64; ++i)
         texels.push_back(vec4(random.between(0.3f, 0.7f), random.between(0.3f, 0.7f), 1, 1));
     m.normal_texture.image = b.image(8, 8, texels);
-    m.emissive = vec3(0.01f);
+    m.emissive_factor = vec3(0.01f);
     int mesh = b.sphere(24, b.material(m));
     Primitive& p = b.scene.meshes[std::size_t(mesh)].primitives[0];
     p.triangles.resize(p.triangles.size() * 3 / 4);

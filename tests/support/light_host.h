@@ -36,6 +36,7 @@ struct LightHost {
 
 // clang-format off
 #include "shading/texture/lookup.h"
+#include "shading/material/textures.h"
 #include "shading/path/surface.h"
 #include "shading/material/material.h"
 #include "shading/light/light.h"

@@ -31,7 +31,7 @@ Material lambertian(vec3 albedo) {
 
 Material emitter(vec3 radiance) {
     Material m = lambertian(vec3(0));
-    m.emissive = radiance;
+    m.emissive_factor = radiance;
     return m;
 }
 

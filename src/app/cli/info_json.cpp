@@ -134,7 +134,7 @@ void write_materials(JsonWriter& json, const Scene& scene) {
         json.field("double_sided", m.double_sided).field("unlit", m.unlit);
         write_numbers(json, "base_color", m.base_color, 4);
         json.field("metallic", double(m.metallic)).field("roughness", double(m.roughness));
-        write_numbers(json, "emissive", m.emissive, 3);
+        write_numbers(json, "emissive", m.emissive(), 3);
         write_list(json, "textures", used_slots(m), [&](std::size_t, const NamedSlot& used) {
             json.field("role", used.role);
             write_index(json, "image", used.slot->image);

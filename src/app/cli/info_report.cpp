@@ -5,6 +5,8 @@
 
 #include "app/cli/hints.h"
 #include "gltf/load.h"
+#include "scene/choice_names.h"
+#include "scene/material_parameters.h"
 
 namespace hm::cli {
 namespace {
@@ -97,14 +99,13 @@ InfoTotals totals(const InfoReport& report) {
 }
 
 std::vector<NamedSlot> used_slots(const Material& m) {
-    const std::array<NamedSlot, 5> all{{{"baseColor", &m.base_color_texture},
-                                        {"metallicRoughness", &m.metallic_roughness_texture},
-                                        {"normal", &m.normal_texture},
-                                        {"occlusion", &m.occlusion_texture},
-                                        {"emissive", &m.emissive_texture}}};
     std::vector<NamedSlot> used;
-    for (const NamedSlot& named : all)
-        if (named.slot->image != kUnset) used.push_back(named);
+    for (const MaterialTexture& texture : material_textures()) {
+        const TextureSlot& slot = m.*texture.slot;
+        constexpr std::string_view kTexture = "Texture";
+        const std::string_view role = texture.key.substr(0, texture.key.size() - kTexture.size());
+        if (slot.image != kUnset) used.push_back({role, &slot});
+    }
     return used;
 }
 
@@ -124,11 +125,11 @@ std::string_view treatment(const FileExtension& extension) {
 }
 
 std::string_view alpha_mode_name(std::uint32_t mode) {
-    return mode == kAlphaMask ? "MASK" : mode == kAlphaBlend ? "BLEND" : "OPAQUE";
+    return kAlphaModeNames.at(mode);
 }
 
 std::string_view light_kind_name(std::uint32_t kind) {
-    return kind == kLightDirectional ? "directional" : kind == kLightSpot ? "spot" : "point";
+    return kLightKindNames.at(kind);
 }
 
 std::string_view format_name(PixelFormat format) {

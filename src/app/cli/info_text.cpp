@@ -157,7 +157,7 @@ void describe_materials(Lines& out, const Scene& scene) {
         text += fmt::format(", color {} {:g}", vector_text(vec3(m.base_color)), m.base_color.w);
         if (!m.unlit)
             text += fmt::format(", metallic {:g}, roughness {:g}", m.metallic, m.roughness);
-        if (m.emissive != vec3(0)) text += ", emissive " + vector_text(m.emissive);
+        if (m.emissive() != vec3(0)) text += ", emissive " + vector_text(m.emissive());
         for (const NamedSlot& used : used_slots(m))
             text += fmt::format(", {} image {}", used.role, used.slot->image);
         return text;

@@ -4,8 +4,7 @@
 // Tables: texture_uses.
 
 HM_FN vec4 base_color(HM_IN(MaterialData) m, vec2 uv0, vec2 uv1, vec4 color) {
-    return m.base_color_factor * sample_texture(m.base_color_texture, kEncodingSrgb, uv0, uv1) *
-           color;
+    return m.base_color_factor * read_base_color(m, uv0, uv1) * color;
 }
 
 // The probability that any-hit keeps a hit of this alpha.
@@ -21,13 +20,13 @@ HM_FN vec3 emitted_radiance(HM_IN(MaterialData) m, vec2 uv0, vec2 uv1, vec4 colo
         return vec3(c.x, c.y, c.z);
     }
     if (max_component(m.emissive_factor) <= 0.0f) return vec3(0.0f);
-    vec4 texel = sample_texture(m.emissive_texture, kEncodingSrgb, uv0, uv1);
+    vec4 texel = read_emissive(m, uv0, uv1);
     return m.emissive_factor * vec3(texel.x, texel.y, texel.z);
 }
 
 HM_FN void load_material(HM_IN(MaterialData) m, HM_IN(Surface) s, HM_OUT(MaterialPoint) p) {
     vec4 base = base_color(m, s.uv0, s.uv1, s.color);
-    vec4 texel = sample_texture(m.metallic_roughness_texture, kEncodingLinear, s.uv0, s.uv1);
+    vec4 texel = read_metallic_roughness(m, s.uv0, s.uv1);
     p.base_color = vec3(base.x, base.y, base.z);
     p.metallic = saturate(m.metallic_factor * texel.z);
     p.roughness = m.roughness_factor * texel.y;

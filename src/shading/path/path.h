@@ -4,6 +4,7 @@
 // clang-format off
 #include "shading/path/sampler.h"
 #include "shading/texture/lookup.h"
+#include "shading/material/textures.h"
 #include "shading/path/surface.h"
 #include "shading/material/material.h"
 #include "shading/material/bsdf.h"

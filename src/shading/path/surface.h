@@ -56,7 +56,7 @@ HM_FN vec3 map_normal(HM_IN(MaterialData) m, HM_IN(InstanceData) instance, HM_IN
     t = t * inversesqrt(length_squared);
     float mirrored = (instance.flags & kInstanceFlipped) != 0u ? -1.0f : 1.0f;
     vec3 b = cross(s.ns, t) * (tangent_object.w * mirrored);
-    vec4 texel = sample_texture(m.normal_texture, kEncodingLinear, s.uv0, s.uv1);
+    vec4 texel = read_normal(m, s.uv0, s.uv1);
     float x = 2.0f * texel.x - 1.0f;
     float y = 2.0f * texel.y - 1.0f;
     float z = sqrt(max(1.0f - x * x - y * y, 0.0f));

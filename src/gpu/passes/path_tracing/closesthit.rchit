@@ -9,6 +9,7 @@ layout(location = 0) rayPayloadInEXT PathPayload path_payload;
 
 #include "shading/path/sampler.h"
 #include "shading/texture/lookup.h"
+#include "shading/material/textures.h"
 #include "shading/path/surface.h"
 #include "shading/material/material.h"
 #include "shading/material/bsdf.h"

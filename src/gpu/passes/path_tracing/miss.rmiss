@@ -8,6 +8,7 @@
 layout(location = 0) rayPayloadInEXT PathPayload path_payload;
 
 #include "shading/texture/lookup.h"
+#include "shading/material/textures.h"
 #include "shading/path/surface.h"
 #include "shading/material/material.h"
 #include "shading/light/light.h"

@@ -1,0 +1,41 @@
+#include "scene/flatten_parts.h"
+
+namespace hm {
+namespace {
+
+constexpr std::uint8_t kWhiteTexel[4] = {255, 255, 255, 255};
+
+std::uint32_t add_texture_use(FlatScene& flat, const TextureSlot& slot) {
+    if (slot.image == kUnset) return 0;
+    flat.texture_uses.push_back({std::uint32_t(slot.image) + 1, slot.wrap_u, slot.wrap_v,
+                                 slot.filter_mode, slot.uv_set, slot.uv_row_u, slot.uv_row_v});
+    return std::uint32_t(flat.texture_uses.size()) - 1;
+}
+
+void add_material(FlatScene& flat, const Material& m) {
+    MaterialData data{};
+#define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
+    data.table m.member;
+#define HM_TEXTURE(owner, key, slot, read, encoding, meaning) \
+    data.slot = add_texture_use(flat, m.slot);
+#include "shading/material/parameters.inl"
+    data.specular_weight = m.specular_weight;
+    data.alpha_mode = m.alpha_mode;
+    data.flags = (m.double_sided ? kMaterialDoubleSided : 0u) | (m.unlit ? kMaterialUnlit : 0u);
+    flat.materials.push_back(data);
+}
+
+}  // namespace
+
+void flatten_materials(const Scene& scene, FlatScene& flat) {
+    flat.images.push_back({kWhiteTexel, 1, 1, std::uint32_t(PixelFormat::rgba8)});
+    for (const Image& image : scene.images)
+        flat.images.push_back(
+            {image.pixels.data(), image.width, image.height, std::uint32_t(image.format)});
+    flat.texture_uses.push_back({0, 0, 0, 0, 0, vec3(1, 0, 0), vec3(0, 1, 0)});
+    for (const Material& m : scene.materials)
+        add_material(flat, m);
+    add_material(flat, Material{});
+}
+
+}  // namespace hm

@@ -1,0 +1,98 @@
+#include "scene/material_parameters.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace hm {
+namespace {
+
+constexpr float kNoLimit = std::numeric_limits<float>::max();
+constexpr BelowRange kClamp = BelowRange::clamp;
+constexpr BelowRange kRefuse = BelowRange::refuse;
+
+constexpr MaterialFactor kFactors[] = {
+#define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
+    {                                                                                          \
+        owner,                                                                                 \
+        key,                                                                                   \
+        AnimatedValue::member,                                                                 \
+        sizeof(type) / sizeof(float),                                                          \
+        start,                                                                                 \
+        low,                                                                                   \
+        high,                                                                                  \
+        below,                                                                                 \
+        animated,                                                                              \
+        meaning},
+#include "shading/material/parameters.inl"
+};
+
+constexpr MaterialTexture kTextures[] = {
+#define HM_TEXTURE(owner, key, slot, read, encoding, meaning) \
+    {owner, key, &Material::slot, encoding, meaning},
+#include "shading/material/parameters.inl"
+};
+
+template <class Float, class Value>
+std::span<Float> floats(Value& value) {
+    if constexpr (std::is_same_v<std::remove_const_t<Value>, float>)
+        return {&value, 1};
+    else
+        return {&value[0], std::size_t(Value::length())};
+}
+
+template <class AnyMaterial>
+auto floats_of(AnyMaterial& material, AnimatedValue value) {
+    using Float = std::conditional_t<std::is_const_v<AnyMaterial>, const float, float>;
+    switch (value) {
+#define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
+    case AnimatedValue::member:                                                                \
+        return floats<Float>(material.member);
+#include "shading/material/parameters.inl"
+        default:
+            return std::span<Float>();
+    }
+}
+
+}  // namespace
+
+std::span<const MaterialFactor> material_factors() {
+    return kFactors;
+}
+
+std::span<const MaterialTexture> material_textures() {
+    return kTextures;
+}
+
+const MaterialFactor* find_material_factor(AnimatedValue value) {
+    const auto* const found = std::find_if(std::begin(kFactors), std::end(kFactors),
+                                           [&](const auto& f) { return f.value == value; });
+    return found == std::end(kFactors) ? nullptr : found;
+}
+
+std::span<float> material_floats(Material& material, AnimatedValue value) {
+    return floats_of(material, value);
+}
+
+std::span<const float> material_floats(const Material& material, AnimatedValue value) {
+    return floats_of(material, value);
+}
+
+bool is_extension(std::string_view owner) {
+    return owner.find('_') != owner.npos;  // glTF's own keys have none
+}
+
+std::string pointer_in_material(std::string_view owner, std::string_view key) {
+    std::string pointer;
+    if (is_extension(owner)) pointer += "/extensions";
+    if (!owner.empty()) pointer.append("/").append(owner);
+    return pointer.append("/").append(key);
+}
+
+bool has_material_parameters(std::string_view extension) {
+    const auto has = [&](const auto& parameter) { return parameter.owner == extension; };
+    return is_extension(extension) &&
+           (std::any_of(std::begin(kFactors), std::end(kFactors), has) ||
+            std::any_of(std::begin(kTextures), std::end(kTextures), has));
+}
+
+}  // namespace hm
