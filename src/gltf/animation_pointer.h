@@ -26,14 +26,15 @@ class PointerReader {
     explicit PointerReader(const Json& root) : root_(root) {}
 
     // `target` is a channel's. Nothing where the property is not one that this program animates.
-    // Fails where the pointer leads to nothing in the file.
+    // Fails if the pointer refers to nothing in the file.
     Result<std::optional<PointedProperty>> read(const Json& target);
 
   private:
     Result<bool> leads_somewhere(std::string_view table, std::size_t owner, std::string_view rest);
 
     const Json& root_;
-    std::map<std::string, std::vector<Json>, std::less<>> tables_;  // those met, by their pointers
+    std::map<std::string, std::vector<Json>, std::less<>>
+        tables_;  // those used so far, by their pointers
 };
 
 }  // namespace hm::gltf

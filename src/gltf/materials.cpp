@@ -13,7 +13,7 @@
 namespace hm::gltf {
 namespace {
 
-// Values outside of what the schema allows are pulled to its limit, with a warning.
+// Values outside the schema's range are clamped to it, with a warning.
 float limited(Source& source, const Json& json, const MaterialFactor& factor, float value) {
     constexpr float kNoLimit = std::numeric_limits<float>::max();
     if (value < factor.low || value > factor.high)

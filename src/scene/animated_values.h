@@ -1,5 +1,5 @@
-// Values of a scene that an animation can set besides the nodes' transforms and weights: material
-// factors, lights, cameras and the nodes' visibility (KHR_animation_pointer).
+// Values of a scene that an animation can set in addition to the nodes' transforms and weights:
+// material factors, lights, cameras and the nodes' visibility (KHR_animation_pointer).
 #pragma once
 
 #include <array>

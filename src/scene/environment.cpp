@@ -12,8 +12,8 @@
 namespace hm {
 namespace {
 
-// The mean of the bilinear lookup over a texel's cell weighs the 3x3 texels around 1 6 1 either
-// way.
+// The mean of the bilinear lookup over a texel's cell weights the 3x3 texels around it by 1 6 1 in
+// each direction.
 float cell_luminance(const std::vector<float>& lum, std::uint32_t w, std::uint32_t h,
                      std::uint32_t x, std::uint32_t y) {
     const std::uint32_t xs[3] = {x == 0 ? w - 1 : x - 1, x, x + 1 == w ? 0 : x + 1};

@@ -28,7 +28,7 @@ struct Bounds {
     float radius() const { return empty() ? 0.0f : 0.5f * length(high - low); }
 };
 
-// What only AOVs read (shading/path/aovs.h); empty until somebody asks for them.
+// Tables for AOVs only (shading/path/aovs.h); empty without them.
 struct AovTables {
     std::vector<std::uint32_t> source_groups;       // see scene/light_groups
     std::vector<mat4x3> next_transforms;            // of instances, see scene/motion

@@ -11,7 +11,7 @@ namespace hm {
 // materials, texture_uses, images.
 void flatten_materials(const Scene& scene, FlatScene& flat);
 
-// geometries and what lies beside them.
+// geometries, geometry_views and mesh_first_geometry.
 void flatten_geometries(const Scene& scene, FlatScene& flat);
 
 // instances and bounds. `world` has each node's transform.
@@ -21,7 +21,7 @@ void flatten_instances(const Scene& scene, const std::vector<glm::mat4>& world, 
 // lights, light_alias and punctual_power.
 void flatten_lights(const Scene& scene, const std::vector<glm::mat4>& world, FlatScene& flat);
 
-// Warns of cameras, and of lights that shine along an axis, whose transform has lost it.
+// Warns about cameras and aimed lights whose transform leaves no direction.
 void warn_of_lost_directions(const Scene& scene, const std::vector<glm::mat4>& world,
                              Diagnostics& diagnostics);
 

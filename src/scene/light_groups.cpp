@@ -10,7 +10,7 @@
 namespace hm {
 namespace {
 
-// Dots would nest layers, blanks and others break what people type.
+// A dot would nest layers; spaces and other characters are hard to type and quote.
 std::string layer_word(const std::string& name) {
     std::string word;
     for (const char c : name)
@@ -21,8 +21,8 @@ std::string layer_word(const std::string& name) {
     return word;
 }
 
-// Numbers words that are taken: "lamp", "lamp_2", "lamp_3", ... Names are only ever added, so the
-// search for a word's next free number goes on where its last one ended.
+// Adds numbers to names that are taken: "lamp", "lamp_2", "lamp_3", ... Names are only ever added,
+// so the search for a word's next free number goes on where its last one ended.
 class GroupNames {
   public:
     explicit GroupNames(std::vector<std::string>& names)

@@ -1,5 +1,5 @@
-// Which light belongs to which light group: each punctual light of the file, each emissive material
-// and the environment, with whatever stands behind the scene, are a group of their own.
+// Light groups: each punctual light of the file, each emissive material, and the environment with
+// the background form a group of their own.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace hm {
 
 struct LightGroups {
-    std::vector<std::string> names;  // unique, fit for a layer's name
+    std::vector<std::string> names;  // unique, usable in the name of a layer
     // Of each source of light, as kSourceEnvironment in shading/path/types.h numbers them.
     std::vector<std::uint32_t> source_groups;
 };

@@ -16,7 +16,7 @@ struct PoseTime {
 };
 
 // Sets the nodes' transforms, the vertices of every mesh that morphs or has a skin, and the values
-// that animations set besides; with no time to the rest pose. Everything is computed from the rest
+// that animations set; without a time, to the rest pose. Everything is computed from the rest
 // pose, so what was posed before does not matter. Fails where the animation's values overflow.
 Result<void> pose_scene(Scene& scene, const std::optional<PoseTime>& at);
 

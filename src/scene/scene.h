@@ -1,5 +1,5 @@
-// A scene as people think of it: what a glTF file describes, checked and decoded, not yet turned
-// into the tables that rendering reads (scene/flatten does that).
+// A scene as a glTF file describes it, checked and decoded, before scene/flatten turns it into the
+// tables that rendering reads.
 #pragma once
 
 #include <cstdint>
@@ -108,13 +108,13 @@ struct Node {
     // With a skin the mesh's vertices are in world space, and the node's transform does not move
     // them. Such a mesh belongs to this node alone, or to nodes that pose it alike.
     int skin = kUnset;
-    bool skin_mirrors = false;   // set by posing: the joints turn the triangles' winding around
+    bool skin_mirrors = false;   // set by posing: the joints reverse the triangles' winding
     std::vector<float> weights;  // of the mesh's morph targets; empty: the mesh's own
 };
 
 struct Scene {
     std::string file;         // for messages
-    std::string hash;         // of the file and all that was read beside it (base/hash.h)
+    std::string hash;         // of the file and everything else that was read for it (base/hash.h)
     std::vector<Node> nodes;  // of the chosen scene only
     std::vector<Mesh> meshes;
     std::vector<Material> materials;

@@ -1,4 +1,5 @@
-// Which triangles no ray hits: both builders of acceleration structures leave them out. C++ only.
+// Degenerate triangles, which no ray hits: both acceleration structure builders skip them. C++
+// only.
 #pragma once
 
 #include <cmath>
@@ -8,8 +9,8 @@
 
 namespace hm {
 
-// A corner that is not a number, or no area (in double, where the products of float coordinates
-// don't vanish).
+// A corner with a NaN or an infinity, or no area (in double, where products of float coordinates do
+// not underflow).
 inline bool is_degenerate(vec3 a, vec3 b, vec3 c) {
     for (const vec3& p : {a, b, c})
         if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return true;

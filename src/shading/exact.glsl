@@ -1,11 +1,12 @@
-// Arithmetic whose bits GLSL leaves to the device, with the bits that C++ gives it: quotients and
-// roots may be units in the last place off, dot products may sum in any order. Which turn a path
-// takes hangs on such bits, and the difference grows with every bounce; so what decides where a ray
-// goes uses these, and a GPU's paths are the CPU's. cmake/Shaders.cmake sees to a * b + c.
+// Arithmetic that GLSL does not specify to the bit, with the results of C++: quotients and roots may
+// be off by units in the last place, dot products may sum in any order. Which branch a path takes can
+// depend on such a bit, and differences grow with every bounce; so everything that decides where a
+// ray goes uses these functions, and a GPU traces the paths of the CPU. Contraction of a * b + c is
+// forbidden by cmake/Shaders.cmake.
 
-// Whether quotients and roots are right as they are: the device is a CPU. On a GPU fma rounds once
-// (on a CPU's it need not), so the rest that fma finds of a quotient or root is exact and puts it
-// right (Markstein, "Computation of elementary functions on the IBM RISC System/6000 processor",
+// Whether quotients and roots are correctly rounded as they are: the device is a CPU. On a GPU fma
+// rounds once (on a CPU it need not), so the residual of a quotient or root that fma gives is exact
+// and corrects it (Markstein, "Computation of elementary functions on the IBM RISC System/6000 processor",
 // 1990). rhi/pipeline sets it.
 layout(constant_id = 0) const bool kRoundsRight = false;
 
@@ -45,7 +46,7 @@ vec3 exact_normalize(vec3 v) {
     return v * exact_inversesqrt(exact_dot(v, v));
 }
 
-// The device's own, for what only weighs a path.
+// The device's own functions, for what only weights a path.
 float fast_sqrt(float x) {
     return sqrt(x);
 }
@@ -54,7 +55,7 @@ vec3 fast_normalize(vec3 v) {
     return normalize(v);
 }
 
-// glslang takes no function by the name of a built-in one.
+// glslang does not accept functions that have the name of a built-in one.
 #define sqrt exact_sqrt
 #define inversesqrt exact_inversesqrt
 #define dot exact_dot

@@ -8,8 +8,8 @@
 HM_NAMESPACE_BEGIN
 
 HM_FN float offset_coordinate(float p, float n) {
-    // Near the origin a float's spacing is too fine for what the transform rounded away: move by a
-    // fixed 2^-16 there, else by up to 256 units in the last place.
+    // Near the origin the spacing of floats is finer than the rounding error of the transform: move
+    // by a fixed 2^-16 there, otherwise by up to 256 units in the last place.
     if (abs(p) < 1.0f / 32.0f) return p + n * (1.0f / 65536.0f);
     int steps = int(256.0f * n);
     uint bits = float_bits(p);

@@ -4,8 +4,8 @@
 // Rules for the files that include this: no swizzles, enums, struct constructors or overloads;
 // literals carry f or u; one random number per statement; never pass a variable twice to a function
 // that writes it. Words reserved in GLSL (input, output, sample, filter, half, common, ...) stay
-// out. What decides where a ray goes divides by divide(); what only weighs a path may use fast_sqrt
-// and fast_normalize, and a function of such says HM_MAY_CONTRACT (exact.glsl has the reason).
+// out. What decides where a ray goes divides by divide(); what only weights a path may use
+// fast_sqrt and fast_normalize, in functions marked HM_MAY_CONTRACT (exact.glsl has the reason).
 #ifndef HM_SHADING_LANG_H
 #define HM_SHADING_LANG_H
 

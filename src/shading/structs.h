@@ -57,12 +57,13 @@ struct TextureUse {
     vec3 uv_row_v;
 };
 
-// How the colour channels of texels are stored. The material's slot decides it, so it is a constant
-// wherever a texture is read, and the other decoding falls away.
+// How the colour channels of texels are encoded. The texture slot decides it, so it is a
+// compile-time constant at each lookup, and the other decoding is optimised away.
 HM_CONST uint kEncodingLinear = 0u;
 HM_CONST uint kEncodingSrgb = 1u;
 
-// What every mesh has, 48 bytes; tangent.w is the bitangent's sign, uv1 and colours are apart.
+// Attributes that every mesh has, 48 bytes; tangent.w is the sign of the bitangent. uv1 and colours
+// are in VertexExtra.
 struct Vertex {
     vec3 position;
     vec3 normal;
@@ -79,7 +80,7 @@ HM_CONST uint kGeometryHasNormals = 1u;
 HM_CONST uint kGeometryHasExtras = 2u;
 HM_CONST uint kGeometryNormalMapped = 4u;  // its vertices have tangents
 
-// One primitive of one mesh. Where its vertices lie is each machine's business (load_triangle).
+// One primitive of one mesh. Its vertices are reached by the hook load_triangle.
 struct GeometryData {
     uint material;
     uint flags;           // kGeometry*
@@ -88,7 +89,7 @@ struct GeometryData {
     uint triangle_count;
 };
 
-HM_CONST uint kInstanceFlipped = 1u;  // the transform mirrors: winding turns around
+HM_CONST uint kInstanceFlipped = 1u;  // the transform mirrors and so reverses the winding
 
 struct InstanceData {
     mat4x3 object_to_world;
@@ -106,7 +107,7 @@ HM_CONST uint kLightSpot = 2u;
 // KHR_lights_punctual, world space. color includes intensity: lux for directional, candela else.
 struct LightData {
     vec3 position;
-    vec3 direction;  // the way the light travels
+    vec3 direction;  // in which the light travels
     vec3 color;
     float range;  // metres; 0: no limit
     float spot_scale;
@@ -181,7 +182,7 @@ struct LightRange {
 };
 
 struct RenderParams {
-    uint width;  // of the whole picture, whatever the crop
+    uint width;  // of the whole picture, independent of the crop
     uint height;
     uint seed;
     uint sampler_kind;   // kSampler*
@@ -200,7 +201,7 @@ struct RenderParams {
     uint emitter_count;
 };
 
-// What the stages' AOV variants (HM_AOVS) read beside RenderParams.
+// Parameters of the stages' AOV variants (HM_AOVS), in addition to RenderParams.
 struct AovParams {
     uint light_groups;       // how many
     uint replicates;         // of the samples, each randomised on its own; 0 or 1: none

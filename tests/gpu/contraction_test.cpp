@@ -55,13 +55,32 @@ std::set<std::string> contracting(std::span<const std::uint32_t> spirv) {
 using Names = std::set<std::string>;
 
 TEST(Contraction, OnlyWhereItWeighsPaths) {
-    EXPECT_EQ(contracting(shaders::closesthit_rchit()),
-              (Names{"environment_radiance", "eval_ggx_d", "eval_ggx_v", "eval_lobes",
-                     "fetch_texel", "lookup_albedo", "luminance", "make_bsdf", "mis_weight",
-                     "ggx_reflection_pdf_scale", "shade_light_sample", "srgb_to_linear"}));
+    EXPECT_EQ(contracting(shaders::closesthit_rchit()), (Names{"albedo_diffuse",
+                                                               "albedo_layer",
+                                                               "albedo_specular",
+                                                               "compensate_diffuse",
+                                                               "compensate_specular",
+                                                               "environment_radiance",
+                                                               "eval_diffuse",
+                                                               "eval_ggx_d",
+                                                               "eval_ggx_v",
+                                                               "eval_lobes",
+                                                               "eval_specular",
+                                                               "fetch_texel",
+                                                               "ggx_reflection_pdf_scale",
+                                                               "lookup_albedo",
+                                                               "luminance",
+                                                               "make_bsdf",
+                                                               "make_specular",
+                                                               "mis_weight",
+                                                               "pdf_diffuse",
+                                                               "pdf_specular",
+                                                               "shade_light_sample",
+                                                               "srgb_to_linear"}));
     EXPECT_EQ(contracting(shaders::miss_rmiss()), Names{"environment_radiance"});
     EXPECT_EQ(contracting(shaders::reference_view_rgen()),
-              (Names{"add_contribution", "luminance", "mis_weight", "trace_sample"}));
+              (Names{"add_contribution", "connect_path", "luminance", "mis_weight", "scatter_path",
+                     "shade_path"}));
     EXPECT_EQ(contracting(shaders::anyhit_rahit()), (Names{"fetch_texel", "srgb_to_linear"}));
 }
 

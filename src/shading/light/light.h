@@ -1,5 +1,5 @@
-// Light sampling: one sample of all the scene's lights for a shading point, and the density with
-// which it finds what a ray met. Both kinds of knowledge stand here, for MIS.
+// Light sampling: one sample of all the scene's lights for a shading point, and, for MIS, the pdf
+// with which it would have sampled what a ray hit.
 //
 // Tables: lights, light_alias.
 
@@ -8,7 +8,7 @@ struct LightSample {
     float distance;  // of the shadow ray
     vec3 radiance;   // times alpha coverage for emitters; irradiance for punctual lights
     float pdf;       // solid angle; for punctual lights the discrete probability; 0: no sample
-    bool punctual;   // BSDF sampling cannot meet it
+    bool punctual;   // BSDF sampling cannot find it
     uint source;     // see kSourceEnvironment
 };
 
@@ -17,7 +17,7 @@ struct LightSample {
 #include "shading/light/emitter.h"
 // clang-format on
 
-// A 32-bit number of one kind's range, stretched over all 32 bits again.
+// A 32-bit number within the range of one kind of light, stretched to all 32 bits again.
 HM_FN uint stretch_choice(HM_IN(LightRange) range, uint choice) {
     uint x = choice - range.begin;
     return x * range.scale_int + mul_high(x, range.scale_frac);
@@ -75,14 +75,14 @@ HM_FN void sample_light(uint choice, uint coin, float u, float v, vec3 p,
     }
 }
 
-// Solid-angle density with which sample_light draws a direction of the environment; 0 if it never
+// Solid-angle pdf with which sample_light samples a direction of the environment; 0 if it never
 // does.
 HM_FN float pdf_light_environment(vec3 direction, vec2 uv) {
     if (!(params.environment_range.pdf > 0.0f)) return 0.0f;
     return params.environment_range.pdf * pdf_environment(direction, uv);
 }
 
-// The same for the point where a ray met a triangle, at this distance and cosine.
+// The same for the point where a ray hit a triangle, at this distance and cosine.
 HM_FN float pdf_light_triangle(HM_IN(HitIds) ids, uint geometry, float hit_distance,
                                float cos_light) {
     uint index = emitter_index(ids, geometry);

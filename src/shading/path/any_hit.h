@@ -1,4 +1,4 @@
-// The any-hit stage: does a triangle of a mask or blend material stop this ray?
+// The any-hit stage: whether a triangle of a mask or blend material stops this ray.
 
 // Blend is stochastic: a hash of the ray's key and the triangle's ids against alpha, so the answer
 // depends on neither visiting order nor device.

@@ -1,5 +1,5 @@
-// AOVs: what closest hit notes in the payload, most of it for camera rays only. closest_hit.h
-// includes this with HM_AOVS and aov_facts_off.h without.
+// AOVs: what closest hit writes to the payload, mostly for camera rays only. closest_hit.h includes
+// this with HM_AOVS, and aov_facts_off.h without.
 
 // An unlit surface is rough and has its own colour.
 HM_FN void note_surface(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, HM_IN(Surface) s) {
@@ -18,7 +18,7 @@ HM_FN void note_surface(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, HM_IN(Surfac
     p.facts.roughness = 1.0f;
 }
 
-// What denoisers and compositors call the colour of a surface: of metal it is what it mirrors.
+// The albedo that denoisers and compositors expect; for metals it is the specular colour.
 HM_FN void note_material(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, float metallic) {
     if (p.bounce != 0u) return;
     p.facts.albedo = min(b.diffuse.color + b.specular.f0, vec3(1.0f));

@@ -1,4 +1,4 @@
-// Closest hit without AOVs: what aov_facts.h notes, as nothing.
+// Closest hit without AOVs: the functions of aov_facts.h, empty.
 
 HM_FN void note_surface(HM_INOUT(PathPayload), HM_IN(HitIds), HM_IN(Surface)) {}
 HM_FN void note_material(HM_INOUT(PathPayload), HM_IN(Bsdf), float) {}

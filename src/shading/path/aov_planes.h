@@ -1,5 +1,5 @@
-// The planes of floats that AOVs add up in, one value or a few per pixel: what the film stores,
-// and what both renderers write. film/aov says what becomes of them in a file.
+// The film's planes: float channels that AOVs are accumulated in, with one or more values per
+// pixel. Both renderers write them; film/aov turns them into layers of a file.
 #ifndef HM_SHADING_PATH_AOV_PLANES_H
 #define HM_SHADING_PATH_AOV_PLANES_H
 

@@ -1,12 +1,12 @@
-// AOVs: what a sample tells beside its radiance. ray_generation.h includes this with HM_AOVS and
-// aovs_off.h, which costs nothing, without.
+// AOVs: the further outputs of a sample. steps.h includes this with HM_AOVS, and without it
+// aovs_off.h, which costs nothing.
 //
-// Direct light scattered once, indirect light more often; either is divided by the diffuse lobe's
-// share of f at the first hit, channel by channel. So emission and the four sum to the radiance,
-// as do the light groups.
+// Direct light has scattered once, indirect light more often; both are split by the diffuse lobe's
+// share of f at the first hit, per channel. So emission and the four passes sum to the radiance, as
+// do the light groups.
 //
-// Hooks, on the planes of aov_planes.h at the sample's own pixel: has_plane tells whether the film
-// asked for one; plane_value reads and set_plane_value writes float `at` of `floats`. keep_ids gets
+// Hooks, on the planes of aov_planes.h at the sample's own pixel: has_plane: whether the film
+// has one; plane_value reads and set_plane_value writes float `at` of `floats`. keep_ids gets
 // what the sample hit, for cryptomattes. moved_position is where a point of a triangle stands at
 // the next frame, in world space.
 // Tables: aovs (AovParams); source_groups, of each source of light (kSourceEnvironment).
@@ -32,7 +32,7 @@ HM_FN void add_plane_3(uint plane, vec3 value) {
     add_to_plane(plane, 3u, 2u, value.z);
 }
 
-// Whether a plane of the lowest sample index is to take this one's.
+// Whether this sample's value replaces the one in a plane that keeps the lowest sample index.
 HM_FN bool claims_plane(uint plane, uint floats, uint index) {
     if (!has_plane(plane)) return false;
     float holder = plane_value(plane, floats, floats - 1u);
@@ -51,7 +51,7 @@ HM_FN void begin_aovs(HM_INOUT(PathSample) s) {
     s.hit = false;
 }
 
-// A contribution that is no number is left out: its sample counts as black.
+// A contribution with a NaN or an infinity is skipped: its sample counts as black.
 HM_FN void add_to_group(uint source, vec3 kept) {
     if (!has_plane(kPlaneLightGroups) || !is_finite_color(kept)) return;
     uint floats = 3u * aovs.light_groups;
@@ -73,7 +73,7 @@ HM_FN void split_light(HM_INOUT(PathSample) s, vec3 kept, vec3 share, bool direc
     }
 }
 
-// What a ray met; `kept` is what of it entered the radiance.
+// The emission of what a ray hit; `kept` is the part that was added to the radiance.
 HM_FN void note_emitted(HM_INOUT(PathSample) s, HM_IN(PathPayload) p, vec3 kept) {
     if (p.bounce == 0u) {
         s.emission = s.emission + kept;
@@ -85,7 +85,7 @@ HM_FN void note_emitted(HM_INOUT(PathSample) s, HM_IN(PathPayload) p, vec3 kept)
     if (max_component(kept) > 0.0f) add_to_group(p.emitted_source, kept);
 }
 
-// A light sample that was seen.
+// An unoccluded light sample.
 HM_FN void note_lit(HM_INOUT(PathSample) s, HM_IN(PathPayload) p, vec3 kept) {
     if (p.bounce == 0u)
         split_light(s, kept, p.light_diffuse_share, true);
@@ -98,8 +98,8 @@ HM_FN void note_first_scatter(HM_INOUT(PathSample) s, HM_IN(PathPayload) p) {
     if (p.bounce == 0u) s.first_diffuse_share = p.diffuse_share;
 }
 
-// Pixels from now to the next frame, x to the right and y upwards; zero for what gets behind the
-// camera.
+// Motion in pixels to the next frame, x to the right and y upwards; zero for points that move
+// behind the camera.
 HM_FN vec2 motion_of(HM_IN(HitFacts) facts) {
     vec2 now;
     vec2 next;

@@ -1,4 +1,4 @@
-// Ray generation without AOVs: what aovs.h does, as nothing.
+// Ray generation without AOVs: the functions of aovs.h, empty.
 
 HM_FN void begin_aovs(HM_INOUT(PathSample)) {}
 HM_FN void note_emitted(HM_INOUT(PathSample), HM_IN(PathPayload), vec3) {}

@@ -1,4 +1,4 @@
-// The closest-hit stage: turns a hit into facts. Ray generation combines them.
+// The closest-hit stage: evaluates the surface and writes the payload. Ray generation combines it.
 
 #ifdef HM_AOVS
 #include "shading/path/aov_facts.h"
@@ -6,7 +6,7 @@
 #include "shading/path/aov_facts_off.h"
 #endif
 
-// Light sampling: direction, distance and the contribution if nothing stands between.
+// Light sampling: direction, distance and the contribution if nothing occludes it.
 HM_FN void shade_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) frame, vec3 ng,
                               vec3 wo, HM_IN(uvec4) numbers) {
     HM_MAY_CONTRACT
@@ -25,7 +25,7 @@ HM_FN void shade_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Fram
     note_light_sample(p, b, wo, to_local(frame, light.wi), light.source);
 }
 
-// BSDF sampling: where the path goes on, and by how much it is dimmed.
+// BSDF sampling: the next direction and the throughput weight.
 HM_FN void shade_scatter(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) frame, vec3 ng,
                          vec3 wo, HM_IN(uvec4) numbers) {
     vec3 wi =

@@ -1,4 +1,4 @@
-// The miss stage: the environment, or what stands behind the scene for camera rays.
+// The miss stage: the environment, or the background for camera rays.
 
 HM_FN void miss(HM_INOUT(PathPayload) p, vec3 direction) {
     p.hit_distance = -1.0f;

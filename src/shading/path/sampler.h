@@ -1,7 +1,7 @@
-// Sample numbers. Four dimensions at a time, as 32-bit integers: integers choose from tables
-// without losing entries, unit_float makes them floats. Dimensions: 0-1 pixel, 2-3 lens, 4 time,
-// 5-7 kept; bounce b has 8 + 8b: lobe, BSDF u v, roulette | light choice, alias coin, light u v.
-// From dimension 128 on every sampler is PCG keyed by (pixel, sample, dimension).
+// Random sequences. Four dimensions at a time, as 32-bit integers: integers can reach every entry
+// of a table, unit_float converts them to floats. Dimensions: 0-1 pixel, 2-3 lens, 4 time, 5-7
+// kept; bounce b has 8 + 8b: lobe, BSDF u v, roulette | light choice, alias coin, light u v. From
+// dimension 128 on every sampler is PCG keyed by (pixel, sample, dimension).
 //
 // Tables: sobol_directions[128 * 32], sobol_nibbles[8 * 16], blue_noise[128 * 128].
 
@@ -76,7 +76,7 @@ HM_FN uvec4 sample_sobol_owen(HM_IN(SamplerState) s, uint dimension) {
     return x;
 }
 
-// Dimensions `dimension` to `dimension` + 3; `dimension` is a multiple of four.
+// The sample's numbers in `dimension` to `dimension` + 3; `dimension` is a multiple of four.
 HM_FN uvec4 sample_4d(HM_IN(SamplerState) s, uint dimension) {
     if (params.sampler_kind == kSamplerIndependent || dimension >= kSobolDimensions)
         return pcg4d_hash(uvec4(s.key, s.index, dimension, params.seed));

@@ -1,9 +1,10 @@
-// The steps of a path. Ray generation calls them in turn (ray_generation.h); they keep nothing but
-// the path's state, its payload and its sample, so that another loop may call them otherwise.
+// The steps of a path. Ray generation calls them in turn (ray_generation.h). Their only state is
+// the path's state, payload and sample, so other loops (queues, SIMD) can call them as well.
 //
-// Hooks: trace_path finds the closest hit and runs closest_hit or miss; trace_visible tests whether
-// nothing stops a ray before t_max; both offer hits on mask and blend materials to any_hit_accepts.
-// Tables: filter_table[kFilterSize] is the inverse of the pixel filter's distribution over [-1, 1].
+// Hooks: trace_path finds the closest hit and runs closest_hit or miss; trace_visible traces a
+// shadow ray and returns whether nothing occludes it before t_max; both offer hits on mask and
+// blend materials to any_hit_accepts. Tables: filter_table[kFilterSize] is the inverse of the pixel
+// filter's distribution over [-1, 1].
 
 HM_HOOK(void trace_path(HM_INOUT(PathPayload) payload, vec3 origin, vec3 direction))
 HM_HOOK(bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key))
@@ -20,7 +21,7 @@ HM_CONST uint kRouletteFrom = 2u;
 HM_CONST uint kRayRadiance = 0u;
 HM_CONST uint kRayShadow = 1u;
 
-// Of one ray of a sample; any_hit_accepts hashes it together with what the ray met.
+// Of one ray of a sample; any_hit_accepts hashes it together with the ids of the triangle.
 HM_FN uint ray_key(uint sample_key, uint bounce, uint ray_kind) {
     return sample_key + (2u * bounce + ray_kind) * 0x9e3779b9u;
 }
@@ -54,14 +55,15 @@ HM_FN vec3 add_contribution(HM_INOUT(PathSample) s, vec3 contribution, bool indi
     return kept;
 }
 
-// The weight of radiance that a BSDF-sampled ray found, against light sampling.
+// The MIS weight of radiance that a BSDF-sampled ray found.
 HM_FN float emission_weight(uint bounce, float pdf_bsdf, float pdf_light) {
     if (bounce == 0u || !(pdf_light > 0.0f)) return 1.0f;
     if (params.strategy == kStrategyLight) return 0.0f;
     return mis_weight(pdf_bsdf, pdf_light);
 }
 
-// From bounce 2 on a path survives with the probability of its brightest channel.
+// Russian roulette: from bounce 2 on a path survives with the probability of its throughput's
+// largest component.
 HM_FN bool survive_roulette(uint number, uint bounce, HM_INOUT(vec3) throughput) {
     if (bounce < kRouletteFrom) return true;
     float survival = clamp(max_component(throughput), 0.05f, 0.95f);
@@ -93,8 +95,8 @@ HM_FN void begin_path(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathState) 
     p.bounce = 0u;
 }
 
-// Extend: traces the path's ray to the closest hit or out of the scene; closest_hit or miss fills
-// the payload. False if a camera ray passed through a back face: it goes on behind it.
+// Extend: traces the path's ray; closest_hit or miss fills the payload. False if a camera ray
+// passed through a single-sided back face: it continues behind it.
 HM_FN bool extend_path(HM_INOUT(PathState) path, HM_INOUT(PathPayload) p, HM_INOUT(PathSample) s) {
     p.key = ray_key(path.sample_key, p.bounce, kRayRadiance);
     trace_path(p, path.origin, path.direction);
@@ -104,7 +106,8 @@ HM_FN bool extend_path(HM_INOUT(PathState) path, HM_INOUT(PathPayload) p, HM_INO
     return false;
 }
 
-// Shade: collects what the ray met, weighted against light sampling. False if it left the scene.
+// Shade: adds the emission of what the ray hit, weighted against light sampling (MIS). False if the
+// ray left the scene.
 HM_FN bool shade_path(HM_IN(PathState) path, HM_IN(PathPayload) p, HM_INOUT(PathSample) s) {
     HM_MAY_CONTRACT
     float weight = emission_weight(p.bounce, path.pdf_bsdf, p.emitted_pdf);
@@ -115,7 +118,7 @@ HM_FN bool shade_path(HM_IN(PathState) path, HM_IN(PathPayload) p, HM_INOUT(Path
     return false;
 }
 
-// Connect: a shadow ray to the hit's light sample, whose light counts if nothing stops it.
+// Connect: traces a shadow ray to the hit's light sample, and adds its light if it is visible.
 HM_FN void connect_path(HM_IN(PathState) path, HM_IN(PathPayload) p, HM_INOUT(PathSample) s) {
     HM_MAY_CONTRACT
     if (!(max_component(p.light_contribution) > 0.0f)) return;
@@ -126,8 +129,8 @@ HM_FN void connect_path(HM_IN(PathState) path, HM_IN(PathPayload) p, HM_INOUT(Pa
     note_lit(s, p, lit);
 }
 
-// Scatter: turns to the direction that the BSDF sampled. False if nothing is left of the
-// throughput, or roulette ends the path.
+// Scatter: continues in the direction that the BSDF sampled. False if the throughput is zero or
+// Russian roulette ends the path.
 HM_FN bool scatter_path(HM_INOUT(PathState) path, HM_INOUT(PathPayload) p, HM_INOUT(PathSample) s) {
     HM_MAY_CONTRACT
     note_first_scatter(s, p);

@@ -33,7 +33,7 @@ HM_FN vec3 transform_normal(HM_IN(mat4x3) world_to_object, vec3 n) {
     return vec3(dot(world_to_object[0], n), dot(world_to_object[1], n), dot(world_to_object[2], n));
 }
 
-// uv1 and colour, for materials that read them; both are constant without extras.
+// uv1 and vertex colour; 0 and 1 for geometry without extras.
 HM_FN void load_extras(uint geometry, uint primitive, vec3 weights, HM_OUT(vec2) uv1,
                        HM_OUT(vec4) color) {
     uv1 = vec2(0.0f);
@@ -64,9 +64,9 @@ HM_FN vec3 map_normal(HM_IN(MaterialData) m, HM_IN(InstanceData) instance, HM_IN
     return normalize(n);
 }
 
-// Where a ray meets the plane of a triangle: barycentric weights and distance (Moeller and Trumbore
-// 1997, with the normal edge1 x edge2). They are computed here, not taken from what found the hit,
-// because those differ from device to device by more than rounding, and mirrors enlarge it.
+// Intersects a ray with the plane of a triangle: barycentric weights and distance (Moeller and
+// Trumbore 1997, with the normal edge1 x edge2). Recomputed here, because the results of traversal
+// differ between devices by more than rounding, and mirrors amplify the difference.
 HM_FN vec3 meet_triangle(vec3 to_origin, vec3 edge1, vec3 edge2, vec3 normal, vec3 direction,
                          HM_OUT(float) hit_distance) {
     float inverse = divide(-1.0f, dot(direction, normal));
@@ -74,12 +74,12 @@ HM_FN vec3 meet_triangle(vec3 to_origin, vec3 edge1, vec3 edge2, vec3 normal, ve
     float u = clamp(dot(edge2, m) * inverse, 0.0f, 1.0f);
     float v = clamp(-dot(edge1, m) * inverse, 0.0f, 1.0f - u);
     hit_distance = max(dot(to_origin, normal) * inverse, 0.0f);
-    // Rays within the plane, which only rounding lets hit.
+    // Rays within the plane, which hit by rounding only.
     if (!(u >= 0.0f && v >= 0.0f)) return vec3(1.0f, 0.0f, 0.0f);
     return vec3(1.0f - u - v, u, v);
 }
 
-// Everything about the point but its material's values. `origin` and `direction` are the ray's.
+// The hit point without its material. `origin` and `direction` are the ray's.
 HM_FN void load_surface(HM_IN(HitIds) ids, vec3 origin, vec3 direction, HM_OUT(Surface) s) {
     HM_ROW(InstanceData) instance = instances[ids.instance];
     s.geometry = instance.first_geometry + ids.geometry;
@@ -118,7 +118,7 @@ HM_FN void load_surface(HM_IN(HitIds) ids, vec3 origin, vec3 direction, HM_OUT(S
         s.ng = -s.ng;
         s.ns = -s.ns;
     }
-    // A shading normal that faces away from its own side is a modelling error: mirror it back.
+    // A shading normal on the wrong side of the surface is a modelling error: reflect it back.
     float aligned = dot(s.ns, s.ng);
     if (aligned < 0.0f) s.ns = normalize(s.ns - 2.0f * aligned * s.ng);
     s.ns = bend_shading_normal(s.ns, s.ng, -direction);

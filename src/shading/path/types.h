@@ -1,4 +1,4 @@
-// What the stages of the path tracer hand each other.
+// The data that the stages of the path tracer exchange.
 #ifndef HM_SHADING_PATH_TYPES_H
 #define HM_SHADING_PATH_TYPES_H
 
@@ -6,8 +6,8 @@
 
 HM_NAMESPACE_BEGIN
 
-// Where light comes from, as a number: the environment (with whatever stands behind the scene),
-// then punctual light i as 1 + i, then emissive material m as 1 + params.light_count + m.
+// Sources of light, numbered: the environment (and any other background), then punctual light i as
+// 1 + i, then emissive material m as 1 + params.light_count + m.
 HM_CONST uint kSourceEnvironment = 0u;
 
 struct HitIds {
@@ -29,7 +29,7 @@ struct TriangleExtras {
 };
 
 #ifdef HM_AOVS
-// What AOVs tell of the surface that a camera ray ends on.
+// What AOVs need to know of the surface that a camera ray hit.
 struct HitFacts {
     HitIds ids;
     uint material;
@@ -55,20 +55,21 @@ struct PathPayload {
     uint bounce;  // scattering events before this ray; 0: a camera ray
 
     float hit_distance;   // < 0: a miss
-    uint passed_through;  // 1: a camera ray met a single-sided back face; go on at next_origin
+    uint passed_through;  // 1: a camera ray hit a single-sided back face; continue at next_origin
     vec3 emitted;         // radiance towards the ray's origin
-    float emitted_pdf;    // solid-angle density with which light sampling finds this; 0: never
+    float emitted_pdf;    // solid-angle pdf with which light sampling would sample this; 0: never
     vec3 next_origin;
     vec3 next_direction;
     vec3 weight;           // f cos / pdf; 0 ends the path
     float pdf;             // of next_direction, whole mixture of lobes
     uint roulette;         // this bounce's number for Russian roulette
-    vec3 light_direction;  // one light sample, visibility not yet known
+    vec3 light_direction;  // one light sample, not yet tested for visibility
     float light_distance;
-    vec3 light_contribution;  // L f cos / pdf with its MIS weight; 0: no need to trace
+    vec3 light_contribution;  // L f cos / pdf with its MIS weight; 0: no shadow ray needed
 
 #ifdef HM_AOVS
-    uint emitted_source;  // what emitted, and whose the light sample is: see kSourceEnvironment
+    uint
+        emitted_source;  // what emitted, and the source of the light sample: see kSourceEnvironment
     uint light_source;
     // Of camera rays' hits:
     HitFacts facts;
@@ -85,8 +86,8 @@ struct ShadowPayload {
 // One sample of one pixel.
 struct PathSample {
     vec3 radiance;
-    float alpha;    // 1 where something or a visible background was seen
-    float removed;  // luminance that clamping took away
+    float alpha;    // 1 where the ray hit something, or the background is visible
+    float removed;  // luminance removed by clamping
     uint rays;
 #ifdef HM_AOVS
     // They sum to the radiance.
@@ -101,8 +102,8 @@ struct PathSample {
 #endif
 };
 
-// A path under way: its next ray and what has been gathered on the way there. What the last ray met
-// is in the payload.
+// The state of a path between two steps: its next ray and its throughput. The result of the last
+// ray is in the payload.
 struct PathState {
     vec3 origin;  // of the next ray
     vec3 direction;
@@ -116,7 +117,7 @@ struct PixelSum {
     vec3 radiance;  // premultiplied, linear Rec.709
     float alpha;
     float weight;   // how many samples
-    float removed;  // luminance that --clamp took away
+    float removed;  // luminance removed by --clamp
 };
 
 HM_NAMESPACE_END
