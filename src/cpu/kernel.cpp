@@ -34,7 +34,7 @@ struct Stages : KernelTables {
     void trace_path(PathPayload& payload, vec3 origin, vec3 direction) {
         const Ray ray{origin, direction, kInfinity};
         Hit hit;
-        auto accept = [&](const Hit& h) { return accepts(payload.key, h); };
+        auto accept = [&](const Hit& h) { return accepts(payload.key, payload.index, h); };
         if (!trace_closest(bvh, ray, hit, accept)) {
             miss(payload, direction);
             return;
@@ -43,15 +43,15 @@ struct Stages : KernelTables {
         closest_hit(payload, ids, origin, direction);
     }
 
-    bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key) {
+    bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key, uint index) {
         const Ray ray{origin, direction, t_max};
-        auto accept = [&](const Hit& h) { return accepts(key, h); };
+        auto accept = [&](const Hit& h) { return accepts(key, index, h); };
         return !trace_any(bvh, ray, accept);
     }
 
-    bool accepts(uint key, const Hit& hit) {
+    bool accepts(uint key, uint index, const Hit& hit) {
         const HitIds ids{hit.instance, hit.geometry, hit.primitive};
-        return any_hit_accepts(key, ids, vec2(hit.u, hit.v));
+        return any_hit_accepts(key, index, ids, vec2(hit.u, hit.v));
     }
 
 #ifdef HM_AOVS

@@ -63,14 +63,14 @@ HM_FN bool intersect(HM_IN(WorldTriangle) t, vec3 origin, vec3 direction, float 
 
 // The closest accepted hit before t_max, or with `any` the first found. Ids ascend, and only a
 // smaller distance replaces a hit, so ties go to the lower ids.
-HM_FN RayHit find_hit(vec3 origin, vec3 direction, float t_max, uint key, bool any) {
+HM_FN RayHit find_hit(vec3 origin, vec3 direction, float t_max, uint key, uint index, bool any) {
     RayHit best;
     best.distance = -1.0f;
     float limit = t_max;
     for (uint i = 0u; i < world_triangle_count; ++i) {
         RayHit hit;
         if (!intersect(world_triangles[i], origin, direction, limit, hit)) continue;
-        if (!any_hit_accepts(key, hit.ids, hit.barycentrics)) continue;
+        if (!any_hit_accepts(key, index, hit.ids, hit.barycentrics)) continue;
         best = hit;
         if (any) return best;
         limit = hit.distance;
@@ -79,7 +79,7 @@ HM_FN RayHit find_hit(vec3 origin, vec3 direction, float t_max, uint key, bool a
 }
 
 HM_FN void trace_path(HM_INOUT(PathPayload) payload, vec3 origin, vec3 direction) {
-    RayHit hit = find_hit(origin, direction, kInfinity, payload.key, false);
+    RayHit hit = find_hit(origin, direction, kInfinity, payload.key, payload.index, false);
     if (hit.distance > 0.0f) {
         closest_hit(payload, hit.ids, origin, direction);
     } else {
@@ -87,7 +87,7 @@ HM_FN void trace_path(HM_INOUT(PathPayload) payload, vec3 origin, vec3 direction
     }
 }
 
-HM_FN bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key) {
-    RayHit hit = find_hit(origin, direction, t_max, key, true);
+HM_FN bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key, uint index) {
+    RayHit hit = find_hit(origin, direction, t_max, key, index, true);
     return hit.distance < 0.0f;
 }

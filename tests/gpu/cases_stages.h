@@ -8,7 +8,7 @@
 #include "gpu/path_tables.glsl"
 #endif
 
-HM_STAGE_CASES_BEGIN(18, 7)
+HM_STAGE_CASES_BEGIN(18, 8)
 
 HM_FN void run_sampler(uint index, HM_INOUT(CaseResult) result) {
     SamplerState s;
@@ -20,6 +20,12 @@ HM_FN void run_sampler(uint index, HM_INOUT(CaseResult) result) {
     uvec4 numbers = sample_4d(s, dimension);
     result.choices[2] = numbers.x ^ numbers.y ^ numbers.z ^ numbers.w;
     result.values[0] = sample_filter(case_unit(index, 2u));
+    HitIds ids;
+    ids.instance = case_bits(index, 3u) & 7u;
+    ids.geometry = case_bits(index, 4u) & 7u;
+    ids.primitive = case_bits(index, 5u) & 1023u;
+    uint key = ray_key(begin_alpha_key(s, s.index), index & 7u, kRayShadow);
+    result.choices[7] = float_bits(alpha_number(key, s.index, ids));
 }
 
 HM_FN void run_texture(uint index, HM_INOUT(CaseResult) result) {

@@ -138,6 +138,8 @@ TEST(Layout, PayloadsAreContractsBetweenStages) {
     EXPECT_EQ(test::read_payload_sizes(shaders::shadow_miss_rmiss()), shadow);
     EXPECT_EQ(offsetof(PathPayload, key), 0u);
     EXPECT_EQ(offsetof(ShadowPayload, key), 0u);
+    EXPECT_EQ(offsetof(PathPayload, index), 4u);
+    EXPECT_EQ(offsetof(ShadowPayload, index), 4u);
 }
 
 }  // namespace

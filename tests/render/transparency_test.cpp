@@ -85,6 +85,59 @@ TEST(Transparency, EveryRayDrawsItsOwnChance) {
     test::expect_radiance(studio, camera, {.samples = 512}, vec3((1 - alpha) * (1 - alpha)));
 }
 
+// The samplers that order their samples.
+constexpr uint kSequences[] = {kSamplerSobolOwen, kSamplerSobolBlueNoise};
+
+TEST(Transparency, SequencesAreUnbiased) {
+    const float alpha = 0.3f;
+    for (uint sampler : kSequences)
+        for (int n : {1, 2, 5}) {
+            SceneBuilder b = layers(n, alpha, false);
+            b.scene.nodes.erase(b.scene.nodes.begin());
+            Studio studio(b.scene, test::constant_environment(vec3(1, 2, 4)));
+            CameraData camera = test::flat_camera(vec3(0, 5, 0), vec3(0.2f, 1, 0.1f), 0.5f);
+            SCOPED_TRACE(testing::Message() << n << " layers, sampler " << sampler);
+            test::expect_radiance(studio, camera, {.samples = 24, .sampler = sampler},
+                                  vec3(1, 2, 4) * float(std::pow(1 - alpha, n)), 0.02);
+        }
+}
+
+// Of each aligned block of 64 samples exactly one draws from each 64th of [0, 1). The picture lies
+// within one triangle.
+TEST(Transparency, AlphaIsStratifiedOverTheSamples) {
+    const float alpha = 0.3f;
+    SceneBuilder b = layers(1, alpha, false);
+    b.scene.nodes.erase(b.scene.nodes.begin());
+    Studio studio(b.scene);
+    CameraData camera = test::flat_camera(vec3(1.5f, 2, 1), vec3(0, 1, 0), 0.5f);
+    for (uint sampler : kSequences)
+        for (uint first : {0u, 192u}) {
+            const Shot shot{.samples = 64,
+                            .first_sample = first,
+                            .sampler = sampler,
+                            .background = kBackgroundTransparent};
+            for (float a : studio.render(camera, shot).alpha)
+                EXPECT_NEAR(a, alpha, 1.0f / 64 + 1e-5f) << sampler << " from " << first;
+        }
+}
+
+// Layers of alpha 0.5 that shared the leading digit of their numbers would let through none of the
+// light or half of it, in each pixel, for any number of samples.
+TEST(Transparency, StratifiedLayersAreIndependent) {
+    SceneBuilder b = layers(2, 0.5f, false);
+    b.scene.nodes.erase(b.scene.nodes.begin());
+    Studio studio(b.scene);
+    CameraData camera = test::flat_camera(vec3(1.5f, 2, 1), vec3(0, 1, 0), 0.5f);
+    const uint samples = 4096;
+    for (uint sampler : kSequences) {
+        const Shot shot{
+            .samples = samples, .sampler = sampler, .background = kBackgroundTransparent};
+        // Six standard deviations of as many independent draws, for 64 pixels.
+        for (float a : studio.render(camera, shot).alpha)
+            EXPECT_NEAR(a, 0.75, 6 * std::sqrt(0.25 * 0.75 / samples)) << sampler;
+    }
+}
+
 TEST(Transparency, CoverageIsAlphaOfATransparentPicture) {
     SceneBuilder b = layers(1, 0.25f, false);
     b.scene.nodes.erase(b.scene.nodes.begin());

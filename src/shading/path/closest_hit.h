@@ -76,7 +76,7 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
     p.next_origin = offset_ray_origin(s.position, s.ng);
 
     SamplerState numbers;
-    begin_sample(p.pixel_x, p.pixel_y, p.index, numbers);
+    resume_sample(p, numbers);
     uint dimension = kDimensionBounce + 8u * p.bounce;
     uvec4 scatter_numbers = sample_4d(numbers, dimension);
     p.roulette = scatter_numbers.w;

@@ -20,21 +20,39 @@ struct SamplerState {
 #endif
 };
 
+// Fills what follows from pixel, index and replicate.
+HM_FN void key_sample(HM_INOUT(SamplerState) s) {
+    s.key = hash_combine(params.seed, s.pixel_x | (s.pixel_y << 16u));
+#ifdef HM_AOVS
+    if (aovs.replicates > 1u) s.key = hash_combine(s.key, s.replicate);
+#endif
+    s.index_reversed = reverse_bits(s.index);
+}
+
 HM_FN void begin_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(SamplerState) s) {
     s.pixel_x = pixel_x;
     s.pixel_y = pixel_y;
     s.index = index;
-    s.key = hash_combine(params.seed, pixel_x | (pixel_y << 16u));
 #ifdef HM_AOVS
     // For the variance: each replicate is a sequence of its own, randomised on its own.
     s.replicate = 0u;
     if (aovs.replicates > 1u) {
         s.replicate = index % aovs.replicates;
         s.index = index / aovs.replicates;
-        s.key = hash_combine(s.key, s.replicate);
     }
 #endif
-    s.index_reversed = reverse_bits(s.index);
+    key_sample(s);
+}
+
+// The state that the path began with, from what its payload keeps of it.
+HM_FN void resume_sample(HM_IN(PathPayload) p, HM_OUT(SamplerState) s) {
+    s.pixel_x = p.pixel_x;
+    s.pixel_y = p.pixel_y;
+    s.index = p.index;
+#ifdef HM_AOVS
+    s.replicate = p.replicate;
+#endif
+    key_sample(s);
 }
 
 // Sobol (Joe and Kuo 2008), direction numbers with the most significant bit first.

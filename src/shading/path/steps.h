@@ -7,7 +7,7 @@
 // filter's distribution over [-1, 1].
 
 HM_HOOK(void trace_path(HM_INOUT(PathPayload) payload, vec3 origin, vec3 direction))
-HM_HOOK(bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key))
+HM_HOOK(bool trace_visible(vec3 origin, vec3 direction, float t_max, uint key, uint index))
 
 #ifdef HM_AOVS
 #include "shading/path/aovs.h"
@@ -21,9 +21,16 @@ HM_CONST uint kRouletteFrom = 2u;
 HM_CONST uint kRayRadiance = 0u;
 HM_CONST uint kRayShadow = 1u;
 
-// Of one ray of a sample; any_hit_accepts hashes it together with the ids of the triangle.
-HM_FN uint ray_key(uint sample_key, uint bounce, uint ray_kind) {
-    return sample_key + (2u * bounce + ray_kind) * 0x9e3779b9u;
+// Of a path's stochastic alpha. The sample's index orders a sequence of each key (any_hit.h);
+// independent numbers have it in their key.
+HM_FN uint begin_alpha_key(HM_IN(SamplerState) numbers, uint index) {
+    if (params.sampler_kind == kSamplerIndependent) return hash_combine(numbers.key, index);
+    return numbers.key;
+}
+
+// Of one ray of a path; any_hit_accepts hashes it together with the ids of the triangle.
+HM_FN uint ray_key(uint alpha_key, uint bounce, uint ray_kind) {
+    return alpha_key + (2u * bounce + ray_kind) * 0x9e3779b9u;
 }
 
 HM_FN float sample_filter(float u) {
@@ -88,17 +95,21 @@ HM_FN void begin_path(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathState) 
     path.direction = ray.direction;
     path.throughput = vec3(1.0f);
     path.pdf_bsdf = 0.0f;
-    path.sample_key = hash_combine(numbers.key, index);
+    path.alpha_key = begin_alpha_key(numbers, index);
+    p.index = numbers.index;
     p.pixel_x = pixel_x;
     p.pixel_y = pixel_y;
-    p.index = index;
     p.bounce = 0u;
+    p.next_direction = ray.direction;  // compilers do not see that it is written before it is read
+#ifdef HM_AOVS
+    p.replicate = numbers.replicate;
+#endif
 }
 
 // Extend: traces the path's ray; closest_hit or miss fills the payload. False if a camera ray
 // passed through a single-sided back face: it continues behind it.
 HM_FN bool extend_path(HM_INOUT(PathState) path, HM_INOUT(PathPayload) p, HM_INOUT(PathSample) s) {
-    p.key = ray_key(path.sample_key, p.bounce, kRayRadiance);
+    p.key = ray_key(path.alpha_key, p.bounce, kRayRadiance);
     trace_path(p, path.origin, path.direction);
     s.rays = s.rays + 1u;
     if (p.passed_through == 0u) return true;
@@ -123,8 +134,8 @@ HM_FN void connect_path(HM_IN(PathState) path, HM_IN(PathPayload) p, HM_INOUT(Pa
     HM_MAY_CONTRACT
     if (!(max_component(p.light_contribution) > 0.0f)) return;
     s.rays = s.rays + 1u;
-    uint key = ray_key(path.sample_key, p.bounce, kRayShadow);
-    if (!trace_visible(p.next_origin, p.light_direction, p.light_distance, key)) return;
+    uint key = ray_key(path.alpha_key, p.bounce, kRayShadow);
+    if (!trace_visible(p.next_origin, p.light_direction, p.light_distance, key, p.index)) return;
     vec3 lit = add_contribution(s, path.throughput * p.light_contribution, p.bounce > 0u);
     note_lit(s, p, lit);
 }

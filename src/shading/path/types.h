@@ -46,13 +46,16 @@ struct HitFacts {
 #endif
 
 // Ray generation writes the first block, closest hit or miss the rest. Both payloads begin with
-// `key`, which any-hit reads.
+// `key` and `index`, which any-hit reads.
 struct PathPayload {
-    uint key;  // of this ray's stochastic alpha
+    uint key;    // of this ray's stochastic alpha
+    uint index;  // of the sample; with AOVs, within its replicate's sequence
     uint pixel_x;
     uint pixel_y;
-    uint index;   // of the sample
     uint bounce;  // scattering events before this ray; 0: a camera ray
+#ifdef HM_AOVS
+    uint replicate;
+#endif
 
     float hit_distance;   // < 0: a miss
     uint passed_through;  // 1: a camera ray hit a single-sided back face; continue at next_origin
@@ -80,6 +83,7 @@ struct PathPayload {
 
 struct ShadowPayload {
     uint key;
+    uint index;
     uint visible;
 };
 
@@ -109,7 +113,7 @@ struct PathState {
     vec3 direction;
     vec3 throughput;  // product of f cos / pdf so far, over the roulette's survival
     float pdf_bsdf;   // solid-angle density of `direction`; not read for a camera ray
-    uint sample_key;  // what ray_key makes the keys of the sample's rays from
+    uint alpha_key;   // what ray_key makes the keys of the path's rays from
 };
 
 // The sums of one pixel's samples, in the order of their indices.
