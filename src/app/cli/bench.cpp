@@ -8,10 +8,10 @@
 
 #include "app/cli/bench_report.h"
 #include "app/cli/drivers.h"
-#include "app/cli/json_writer.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "base/clock.h"
+#include "base/json_writer.h"
 #include "base/machine.h"
 #include "session/prepared_scene.h"
 #include "session/vulkan_devices.h"

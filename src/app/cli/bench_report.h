@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/json_writer.h"
+#include "base/json_writer.h"
 #include "session/devices.h"
 
 namespace hm::cli {

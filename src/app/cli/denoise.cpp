@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "app/cli/flag.h"
-#include "app/cli/json_writer.h"
 #include "app/cli/output.h"
 #include "app/cli/output_flag.h"
 #include "app/cli/tone_flags.h"
 #include "app/cli/values.h"
 #include "base/files.h"
+#include "base/json_writer.h"
 #include "film/write.h"
 #include "image/layers.h"
 #include "session/choices.h"

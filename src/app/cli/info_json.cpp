@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "app/cli/info_report.h"
-#include "app/cli/json_writer.h"
+#include "base/json_writer.h"
 
 namespace hm::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/cli/json_writer.h"
+#include "base/json_writer.h"
 #include "session/choices.h"
 
 namespace hm::cli {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/cli/info.h"
-#include "app/cli/json_writer.h"
+#include "base/json_writer.h"
 #include "base/text.h"
 
 namespace hm::cli {

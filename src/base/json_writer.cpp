@@ -1,4 +1,4 @@
-#include "app/cli/json_writer.h"
+#include "base/json_writer.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 
-namespace hm::cli {
+namespace hm {
 
 void JsonWriter::separate() {
     if (after_key_) {
@@ -88,4 +88,4 @@ JsonWriter& JsonWriter::integer(std::uint64_t number) {
     return *this;
 }
 
-}  // namespace hm::cli
+}  // namespace hm

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace hm::cli {
+namespace hm {
 
 // key() before each value within an object. Numbers that are not finite become null.
 class JsonWriter {
@@ -43,4 +43,4 @@ class JsonWriter {
     bool after_key_ = false;
 };
 
-}  // namespace hm::cli
+}  // namespace hm
