@@ -9,6 +9,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 target=$root/build/lavapipe
+source "$root/scripts/folder.sh"
 source "$root/scripts/private-apt.sh"
 
 driver_loads() {
@@ -27,8 +28,7 @@ if [ "$release" != debian-bookworm ]; then
     exit 1
 fi
 
-work=$root/build/lavapipe.new
-rm -rf "$work"
+folder_begin "$target"
 mkdir -p "$work"/root "$work"/lib
 private_apt_setup fetch-lavapipe "$work/apt" bookworm bookworm-backports
 echo "fetch-lavapipe: downloading mesa-vulkan-drivers from bookworm-backports"
@@ -56,8 +56,7 @@ cat >"$work/env.sh" <<SH
 export VK_DRIVER_FILES="$target/icd.json"
 export LD_LIBRARY_PATH="$target/lib\${LD_LIBRARY_PATH:+:\$LD_LIBRARY_PATH}"
 SH
-rm -rf "$target"
-mv "$work" "$target"
+folder_end "$target"
 if ! driver_loads; then
     echo "fetch-lavapipe: the driver's libraries are incomplete:" >&2
     LD_LIBRARY_PATH=$target/lib ldd "$target/lib/libvulkan_lvp.so" | grep 'not found' >&2

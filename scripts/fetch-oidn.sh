@@ -7,6 +7,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
+source "$root/scripts/folder.sh"
 source "$root/scripts/pypi.sh"
 version=2.5.1
 # Each under the name that is asked for at run time; the wheel has copies under other names.

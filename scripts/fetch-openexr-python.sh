@@ -4,6 +4,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
+source "$root/scripts/folder.sh"
 source "$root/scripts/pypi.sh"
 
 pypi_begin fetch-openexr-python "$root/build/openexr-python" 3.3.2

@@ -6,6 +6,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 target=$root/build/vma
+source "$root/scripts/folder.sh"
 source "$root/scripts/private-apt.sh"
 
 for header in "$target/include/vk_mem_alloc.h" /usr/include/vk_mem_alloc.h; do
@@ -15,8 +16,7 @@ for header in "$target/include/vk_mem_alloc.h" /usr/include/vk_mem_alloc.h; do
     fi
 done
 
-work=$root/build/vma.new
-rm -rf "$work"
+folder_begin "$target"
 mkdir -p "$work/root"
 private_apt_setup fetch-vma "$work/apt" trixie
 echo "fetch-vma: downloading libvulkan-memory-allocator-dev from trixie"
@@ -28,6 +28,6 @@ private_apt_unpack "$work/root"
 mkdir "$work/include"
 cp "$work/root/usr/include/vk_mem_alloc.h" "$work/include/"
 cp "$work/root/usr/share/doc/libvulkan-memory-allocator-dev/copyright" "$work/"
-rm -rf "$work/apt" "$work/root" "$target"
-mv "$work" "$target"
+rm -rf "$work/apt" "$work/root"
+folder_end "$target"
 echo "fetch-vma: $target/include/vk_mem_alloc.h"

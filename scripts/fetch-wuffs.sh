@@ -4,6 +4,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
+source "$root/scripts/folder.sh"
 source "$root/scripts/pypi.sh"
 file=wuffs-unsupported-snapshot.c
 

