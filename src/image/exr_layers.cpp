@@ -8,7 +8,6 @@
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
-#include <ImfThreading.h>
 #include <ImfTiledOutputFile.h>
 #include <fmt/format.h>
 #include <half.h>
@@ -16,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <new>
-#include <thread>
 #include <utility>
 
 #include "base/check.h"
@@ -187,11 +185,6 @@ Result<std::vector<std::byte>> encode_layers(const LayeredImage& picture,
     HM_CHECK(picture.data.x0 < picture.data.x1 && picture.data.y0 < picture.data.y1,
              "{} layers without pixels", picture.layers.size());
     try {
-        static const bool threaded = [] {
-            Imf::setGlobalThreadCount(int(std::thread::hardware_concurrency()));
-            return true;
-        }();
-        (void)threaded;
         const Imath::Box2i box = box_of(picture.data);
         Imf::Header header(box_of(picture.display), box);
         header.compression() = kCompressions[std::size_t(options.compression)];

@@ -16,6 +16,7 @@
 #include "app/cli/output.h"
 #include "app/cli/render.h"
 #include "base/text.h"
+#include "image/exr_threads.h"
 
 namespace {
 
@@ -23,6 +24,9 @@ using namespace hm;
 
 Result<cli::ExitCode> run(int count, const char* const* arguments) {
     HM_TRY_ASSIGN(const cli::CommandLine line, cli::parse_command_line(count, arguments));
+    if (line.render) set_exr_threads(line.render->threads);
+    if (line.denoise) set_exr_threads(line.denoise->threads);
+    if (line.merge) set_exr_threads(0);
     if (line.render) return cli::render(*line.render);
     if (line.info) return cli::info(*line.info);
     if (line.doctor) return cli::doctor(*line.doctor);
