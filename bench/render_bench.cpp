@@ -42,7 +42,7 @@ Result<EnvironmentMap> read_environment(const std::string& name) {
     if (name == "none") return make_environment(default_environment(), 0, 0);
     if (name.empty()) return make_environment(default_environment(), 0, 1);
     HM_TRY_ASSIGN(ByteArray bytes, read_file(name));
-    HM_TRY_ASSIGN(Image image, read_environment_image(bytes, name));
+    HM_TRY_ASSIGN(FloatImage image, read_environment_image(bytes, name));
     return make_environment(image, 0, 1);
 }
 
@@ -111,7 +111,7 @@ std::string measure_errors(const BenchScene& bench, CpuRenderer& renderer) {
     constexpr std::uint32_t width = 96, height = 64;
     constexpr std::string_view names[] = {"independent", "sobol_blue_noise", "sobol_owen"};
     RenderCounters counters;
-    const Image reference =
+    const FloatImage reference =
         render(bench, renderer, {width, height, 4096, 999, kSamplerSobolOwen}, counters).resolve();
     std::string json = "\"relative_mse\": {";
     for (std::uint32_t sampler = 0; sampler < 3; ++sampler) {
@@ -160,7 +160,7 @@ std::string measure_aovs(const BenchScene& bench, Renderer& renderer,
 std::string measure_replicates(const BenchScene& bench, Renderer& renderer) {
     constexpr std::uint32_t width = 48, height = 32;
     RenderCounters counters;
-    const Image reference =
+    const FloatImage reference =
         render(bench, renderer, {width, height, 2048, 999, kSamplerSobolOwen}, counters).resolve();
     const auto error = [&](const Settings& settings) {
         return compare_images(render(bench, renderer, settings, counters).resolve(), reference).mse;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 #include "image/write.h"
@@ -57,18 +56,15 @@ glm::vec3 hero_sun_direction() {
 }
 
 Result<void> write_hero_sky(const std::filesystem::path& path) {
-    Image image{kWidth, kHeight, PixelFormat::rgba32f, {}};
-    image.pixels.resize(std::size_t(kWidth) * kHeight * bytes_per_pixel(image.format));
-    std::byte* out = image.pixels.data();
+    FloatImage image(kWidth, kHeight);
     for (std::uint32_t y = 0; y < kHeight; ++y)
         for (std::uint32_t x = 0; x < kWidth; ++x) {
             const float azimuth = 2 * kPi * ((float(x) + 0.5f) / float(kWidth) - 0.5f);
             const float polar = kPi * (float(y) + 0.5f) / float(kHeight);
             const float s = std::sin(polar);
-            const glm::vec4 c(
-                radiance({s * std::cos(azimuth), std::cos(polar), s * std::sin(azimuth)}), 1);
-            std::memcpy(out, &c, sizeof c);
-            out += sizeof c;
+            const glm::vec3 c =
+                radiance({s * std::cos(azimuth), std::cos(polar), s * std::sin(azimuth)});
+            image.pixels[y * kWidth + x] = {c.x, c.y, c.z, 1};
         }
     return write_hdr(path, image);
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
@@ -66,24 +65,23 @@ Result<oidn::PhysicalDevice> choose(const oidn::Library& library, DenoiseDevice 
                             found.empty() ? "none" : found));
 }
 
-void check_picture(const Image& image, const Image& like) {
-    HM_CHECK(image.format == PixelFormat::rgba32f && image.width == like.width &&
-                 image.height == like.height &&
-                 image.pixels.size() == std::size_t(image.width) * image.height * 16,
-             "format {}, {} x {} pixels, {} bytes, beside {} x {}", unsigned(image.format),
-             image.width, image.height, image.pixels.size(), like.width, like.height);
+void check_picture(const FloatImage& image, const FloatImage& like) {
+    HM_CHECK(image.width == like.width && image.height == like.height &&
+                 image.pixels.size() == std::size_t(image.width) * image.height,
+             "{} x {} with {} pixels beside {} x {}", image.width, image.height,
+             image.pixels.size(), like.width, like.height);
 }
 
 // `channels` of each pixel's four, from `first` on.
-Floats pick(const Image& image, std::size_t first, std::size_t channels) {
-    const std::size_t count = std::size_t(image.width) * image.height;
-    Floats out(count * channels);
-    for (std::size_t i = 0; i < count; ++i)
-        std::memcpy(&out[i * channels], &image.pixels[i * 16 + first * 4], channels * 4);
+Floats pick(const FloatImage& image, std::ptrdiff_t first, std::ptrdiff_t channels) {
+    Floats out;
+    out.reserve(image.pixels.size() * std::size_t(channels));
+    for (const Rgba<float>& pixel : image.pixels)
+        out.insert(out.end(), pixel.begin() + first, pixel.begin() + first + channels);
     return out;
 }
 
-Floats pick_within(const Image& image, float low, float high, std::uint64_t& replaced) {
+Floats pick_within(const FloatImage& image, float low, float high, std::uint64_t& replaced) {
     Floats values = pick(image, 0, 3);
     replaced += replace_non_finite(values, image.width, 3);
     for (float& v : values)
@@ -123,7 +121,7 @@ namespace {
 // One filter over images of one size; what it needs lives as long as it does.
 class Filter {
   public:
-    Filter(const oidn::Api& api, oidn::Device device, const Image& size)
+    Filter(const oidn::Api& api, oidn::Device device, const FloatImage& size)
         : api_(api),
           device_(device),
           width_(size.width),
@@ -210,13 +208,13 @@ Result<Denoiser> Denoiser::open(DenoiseDevice wanted, unsigned threads) {
 Result<Denoised> Denoiser::denoise(const DenoiseInput& input) const {
     HM_CHECK(input.beauty != nullptr && input.beauty->width > 0, "a beauty is needed");
     const auto start = std::chrono::steady_clock::now();
-    const Image& beauty = *input.beauty;
+    const FloatImage& beauty = *input.beauty;
     const oidn::Api& api = impl_->api;
     check_picture(beauty, beauty);
     Denoised result{beauty, 0, 0};
 
     std::vector<Guide> guides;
-    const auto add_guide = [&](const char* name, const Image* image, float low, float high) {
+    const auto add_guide = [&](const char* name, const FloatImage* image, float low, float high) {
         if (image == nullptr) return;
         check_picture(*image, beauty);
         Floats values = pick_within(*image, low, high, result.replaced_pixels);
@@ -243,18 +241,21 @@ Result<Denoised> Denoiser::denoise(const DenoiseInput& input) const {
     };
     Floats pixels = pick(beauty, 0, 4);
     result.replaced_pixels += replace_non_finite(pixels, beauty.width, 4);
-    Image finite = beauty;
-    std::memcpy(finite.pixels.data(), pixels.data(), finite.pixels.size());
-    Floats color = pick(finite, 0, 3), alpha = pick(finite, 3, 1);
+    Floats color, alpha;
+    color.reserve(beauty.pixels.size() * 3);
+    alpha.reserve(beauty.pixels.size());
+    for (std::size_t i = 0; i < pixels.size(); i += 4) {
+        color.insert(color.end(), {pixels[i], pixels[i + 1], pixels[i + 2]});
+        alpha.push_back(pixels[i + 3]);
+    }
     filter_with_guides(color);
     // As radiance too: as a value of a display it would be averaged along a curve, to another mean.
     if (input.alpha && varies(alpha)) filter_with_guides(alpha);
     HM_TRY(impl_->status("filtering"));
 
     for (std::size_t i = 0; i < alpha.size(); ++i) {
-        const float a = std::clamp(alpha[i], 0.0f, 1.0f);
-        std::memcpy(&result.picture.pixels[i * 16], &color[i * 3], 12);
-        std::memcpy(&result.picture.pixels[i * 16 + 12], &a, 4);
+        result.picture.pixels[i] = {color[3 * i], color[3 * i + 1], color[3 * i + 2],
+                                    std::clamp(alpha[i], 0.0f, 1.0f)};
     }
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

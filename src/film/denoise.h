@@ -15,16 +15,16 @@ enum class DenoiseDevice { fastest, cpu, cuda, hip, sycl };
 
 // Pictures of one size, rgba32f.
 struct DenoiseInput {
-    const Image* beauty = nullptr;  // premultiplied, linear
-    const Image* albedo = nullptr;  // null: none; taken as within [0, 1]
-    const Image* normal = nullptr;  // null: none; taken as within [-1, 1], of any length
-    bool alpha = false;             // the beauty's alpha is to be denoised; else it is kept
+    const FloatImage* beauty = nullptr;  // premultiplied, linear
+    const FloatImage* albedo = nullptr;  // null: none; taken as within [0, 1]
+    const FloatImage* normal = nullptr;  // null: none; taken as within [-1, 1], of any length
+    bool alpha = false;                  // the beauty's alpha is to be denoised; else it is kept
     // Albedo and normal are free of noise. Else they are denoised before they guide.
     bool clean_guides = false;
 };
 
 struct Denoised {
-    Image picture;  // rgba32f, premultiplied
+    FloatImage picture;  // premultiplied
     // Pixels of the beauty and the guides that were NaN or infinite; they were replaced by the mean
     // of their finite neighbours.
     std::uint64_t replaced_pixels = 0;

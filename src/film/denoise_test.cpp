@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -23,19 +22,17 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t kSide = 96;
 
-vec4 pixel(const Image& image, std::uint32_t x, std::uint32_t y) {
-    vec4 value;
-    std::memcpy(&value, &image.pixels[(std::size_t(y) * image.width + x) * 16], 16);
-    return value;
+vec4 pixel(const FloatImage& image, std::uint32_t x, std::uint32_t y) {
+    const Rgba<float>& p = image.pixels[std::size_t(y) * image.width + x];
+    return vec4(p[0], p[1], p[2], p[3]);
 }
 
-void set_pixel(Image& image, std::uint32_t x, std::uint32_t y, vec4 value) {
-    std::memcpy(&image.pixels[(std::size_t(y) * image.width + x) * 16], &value, 16);
+void set_pixel(FloatImage& image, std::uint32_t x, std::uint32_t y, vec4 value) {
+    image.pixels[std::size_t(y) * image.width + x] = {value.x, value.y, value.z, value.w};
 }
 
-Image drawn(const std::function<vec4(std::uint32_t, std::uint32_t)>& draw) {
-    Image image{kSide, kSide, PixelFormat::rgba32f, {}};
-    image.pixels.resize(std::size_t(kSide) * kSide * 16);
+FloatImage drawn(const std::function<vec4(std::uint32_t, std::uint32_t)>& draw) {
+    FloatImage image(kSide, kSide);
     for (std::uint32_t y = 0; y < kSide; ++y)
         for (std::uint32_t x = 0; x < kSide; ++x)
             set_pixel(image, x, y, draw(x, y));
@@ -56,10 +53,10 @@ vec4 truth(std::uint32_t x, std::uint32_t y) {
 }
 
 struct Scene {
-    Image clean = drawn(truth);
-    Image noisy;
-    Image albedo = drawn([](auto x, auto y) { return vec4(texture(x, y), 1); });
-    Image normal =
+    FloatImage clean = drawn(truth);
+    FloatImage noisy;
+    FloatImage albedo = drawn([](auto x, auto y) { return vec4(texture(x, y), 1); });
+    FloatImage normal =
         drawn([](auto x, auto y) { return in_square(x, y) ? vec4(0, 0, 1, 1) : vec4(0, 1, 0, 1); });
 
     Scene() {
@@ -118,7 +115,7 @@ TEST_F(Denoise, ComesCloserToTheTruthAndGuidesHelp) {
 TEST_F(Denoise, NoisyGuidesAreDenoisedFirst) {
     std::mt19937 random(3);
     std::normal_distribution<float> noise(0.0f, 0.1f);
-    Image noisy_albedo =
+    FloatImage noisy_albedo =
         drawn([&](auto x, auto y) { return vec4(texture(x, y) + vec3(noise(random)), 1); });
     DenoiseInput input = scene_.input();
     input.albedo = &noisy_albedo;
@@ -130,10 +127,10 @@ TEST_F(Denoise, NoisyGuidesAreDenoisedFirst) {
 }
 
 TEST_F(Denoise, BrokenPixelsAreReplacedAndCounted) {
-    Image broken = scene_.noisy;
+    FloatImage broken = scene_.noisy;
     set_pixel(broken, 10, 10, vec4(std::nanf(""), 1, 1, 1));
     set_pixel(broken, 50, 40, vec4(std::numeric_limits<float>::infinity()));
-    Image broken_normal = scene_.normal;
+    FloatImage broken_normal = scene_.normal;
     set_pixel(broken_normal, 1, 1, vec4(std::nanf("")));
     DenoiseInput input = scene_.input();
     input.beauty = &broken;
@@ -155,13 +152,13 @@ TEST_F(Denoise, AlphaIsDenoisedWhereAskedFor) {
     std::uniform_real_distribution<float> coin(0, 1);
     const auto coverage = [](auto x, auto y) { return in_square(x, y) ? 0.5f : 0.0f; };
     // Four samples that each hit a half-transparent square or not.
-    Image noisy = drawn([&](auto x, auto y) {
+    FloatImage noisy = drawn([&](auto x, auto y) {
         float hits = 0;
         for (int i = 0; i < 4; ++i)
             hits += coin(random) < coverage(x, y) ? 0.25f : 0.0f;
         return vec4(vec3(hits), hits);
     });
-    const auto alpha_error = [&](const Image& image) {
+    const auto alpha_error = [&](const FloatImage& image) {
         double sum = 0;
         for (std::uint32_t y = 0; y < kSide; ++y)
             for (std::uint32_t x = 0; x < kSide; ++x)

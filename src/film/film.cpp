@@ -1,7 +1,6 @@
 #include "film/film.h"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
 #include "base/check.h"
@@ -115,13 +114,14 @@ void merge_film(Film& film, const Film& part) {
             add_id(film.ids[i], entry.id, entry.count);
 }
 
-Image Film::resolve() const {
-    std::vector<vec4> pixels;
-    pixels.reserve(sums.size());
-    for (const PixelSum& s : sums)
-        pixels.push_back(s.weight > 0 ? vec4(s.radiance, s.alpha) / s.weight : vec4(0));
-    std::span<const std::byte> bytes = std::as_bytes(std::span(pixels));
-    return {crop.width(), crop.height(), PixelFormat::rgba32f, {bytes.begin(), bytes.end()}};
+FloatImage Film::resolve() const {
+    FloatImage image(crop.width(), crop.height());
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const PixelSum& s = sums[i];
+        const vec4 mean = s.weight > 0 ? vec4(s.radiance, s.alpha) / s.weight : vec4(0);
+        image.pixels[i] = {mean.x, mean.y, mean.z, mean.w};
+    }
+    return image;
 }
 
 double Film::removed_luminance() const {

@@ -56,8 +56,8 @@ struct Film {
     const FilmPlane* find_plane(std::uint32_t plane) const;
     FilmPlane* find_plane(std::uint32_t plane);
 
-    // rgba32f, premultiplied; a pixel without samples is black and transparent.
-    Image resolve() const;
+    // Premultiplied; a pixel without samples is black and transparent.
+    FloatImage resolve() const;
     // Mean luminance that clamping took from a pixel, and the mean that is left.
     double removed_luminance() const;
     double mean_luminance() const;

@@ -17,12 +17,12 @@ struct ToneSettings {
 // The exposure that brings the log-average of the luminance (Reinhard et al. 2002) to 0.18. Pixels
 // count by their alpha; those below a thousandth of the mean are taken for unlit and left out. 0
 // for a black picture.
-float auto_exposure(const Image& linear);
+float auto_exposure(const FloatImage& linear);
 
-// rgba32f, premultiplied -> rgba8, sRGB, straight alpha. Ordered dither with the blue-noise tile of
+// Premultiplied radiance to sRGB with straight alpha. Ordered dither with the blue-noise tile of
 // the shading tables, at most half a step either way and the same for all channels, so that greys
 // stay grey and values that 8 bits hold exactly stay as they are. The tile follows the whole
 // picture's pixels: `crop` is where `linear` lies in it.
-Image tone_map_picture(const Image& linear, PixelRect crop, const ToneSettings& settings);
+Image8 tone_map_picture(const FloatImage& linear, PixelRect crop, const ToneSettings& settings);
 
 }  // namespace hm

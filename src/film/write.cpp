@@ -18,8 +18,8 @@ std::optional<PictureKind> picture_kind(const fs::path& path) {
     return std::nullopt;
 }
 
-Result<void> write_picture(const fs::path& path, const Image& beauty, const LayeredImage& layers,
-                           const PictureOptions& options) {
+Result<void> write_picture(const fs::path& path, const FloatImage& beauty,
+                           const LayeredImage& layers, const PictureOptions& options) {
     const std::optional<PictureKind> kind = picture_kind(path);
     HM_CHECK(kind.has_value(), "{}", path.string());
     switch (*kind) {

@@ -23,9 +23,9 @@ struct PictureOptions {
     ExrOptions exr{};
 };
 
-// .exr gets all layers and .png and .hdr the beauty alone, which is rgba32f and premultiplied. The
+// .exr gets all layers and .png and .hdr the beauty alone, which is premultiplied. The
 // extension must be known.
-Result<void> write_picture(const std::filesystem::path& path, const Image& beauty,
+Result<void> write_picture(const std::filesystem::path& path, const FloatImage& beauty,
                            const LayeredImage& layers, const PictureOptions& options);
 
 }  // namespace hm

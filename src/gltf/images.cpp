@@ -99,8 +99,8 @@ std::vector<int> choose(const std::vector<Material>& materials, const std::vecto
     return new_index;
 }
 
-// While an interlaced or progressive picture is decoded, what is read of it so far takes about as
-// much memory as its pixels. As many are decoded at once as there are threads.
+// While a picture is decoded, its stored rows or coefficients take about as much memory as its
+// pixels. As many are decoded at once as there are threads.
 Result<void> check_memory_of_decoding(const std::vector<Encoded>& encoded, const Source& source) {
     std::vector<std::uint64_t> sizes;
     for (const Encoded& e : encoded)
@@ -116,9 +116,9 @@ Result<void> check_memory_of_decoding(const std::vector<Encoded>& encoded, const
 
 }  // namespace
 
-Result<std::vector<Image>> read_images(const Json& root, Source& source,
-                                       std::vector<Material>& materials,
-                                       const std::vector<bool>& used) {
+Result<std::vector<TextureImage>> read_images(const Json& root, Source& source,
+                                              std::vector<Material>& materials,
+                                              const std::vector<bool>& used) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("images"));
     std::vector<std::size_t> chosen;
     const std::vector<int> new_index = choose(materials, used, items.size(), chosen);
@@ -133,12 +133,12 @@ Result<std::vector<Image>> read_images(const Json& root, Source& source,
         HM_TRY_ASSIGN(encoded.emplace_back(), fetch(items[i], source));
     }
     HM_TRY(check_memory_of_decoding(encoded, source));
-    std::vector<Result<Image>> read(chosen.size());
+    std::vector<Result<TextureImage>> read(chosen.size());
     tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
         read[i] = read_texture_image(encoded[i].bytes, encoded[i].name);
         encoded[i].storage = {};
     });
-    std::vector<Image> images;
+    std::vector<TextureImage> images;
     images.reserve(read.size());
     for (std::size_t i = 0; i < read.size(); ++i) {
         const Json& item = items[chosen[i]];

@@ -11,8 +11,8 @@ namespace hm::gltf {
 
 // Decodes the images that the materials in `used` read and turns the slots' `image` from the file's
 // indices into the result's; slots of images that are not read become unset.
-Result<std::vector<Image>> read_images(const Json& root, Source& source,
-                                       std::vector<Material>& materials,
-                                       const std::vector<bool>& used);
+Result<std::vector<TextureImage>> read_images(const Json& root, Source& source,
+                                              std::vector<Material>& materials,
+                                              const std::vector<bool>& used);
 
 }  // namespace hm::gltf

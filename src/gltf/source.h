@@ -12,6 +12,7 @@
 
 #include "base/diagnostics.h"
 #include "base/hash.h"
+#include "base/memory.h"
 #include "base/result.h"
 #include "gltf/json.h"
 #include "gltf/load.h"

@@ -26,24 +26,27 @@ FileFormat file_format(Bytes bytes);
 // take memory.
 Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::string_view name);
 
-// What becomes of an OpenEXR file's values: made fit for lighting, or left as stored with alpha.
+// Whether values of an OpenEXR file are made finite and not negative, with alpha 1, or left as
+// stored.
 enum class ExrValues { cleaned, stored };
 
-Result<Image> decode_png(Bytes bytes, std::string_view name);
-Result<Image> decode_jpeg(Bytes bytes, std::string_view name);
-Result<Image> decode_hdr(Bytes bytes, std::string_view name);
-Result<Image> decode_exr(Bytes bytes, std::string_view name, ExrValues values);
+Result<TextureImage> decode_png(Bytes bytes, std::string_view name);
+Result<TextureImage> decode_jpeg(Bytes bytes, std::string_view name);
+Result<FloatImage> decode_hdr(Bytes bytes, std::string_view name);
+Result<FloatImage> decode_exr(Bytes bytes, std::string_view name, ExrValues values);
 Result<LayeredImage> decode_layers(Bytes bytes, std::string_view name);
 
 // Fail with ErrorKind::unwritable and an empty file name.
-Result<std::vector<std::byte>> encode_png(const Image& image, bool alpha, const Metadata& metadata);
-Result<std::vector<std::byte>> encode_exr(const Image& image, bool alpha, const Metadata& metadata);
+Result<std::vector<std::byte>> encode_png(const Image8& image, bool alpha,
+                                          const Metadata& metadata);
+Result<std::vector<std::byte>> encode_exr(const FloatImage& image, bool alpha,
+                                          const Metadata& metadata);
 Result<std::vector<std::byte>> encode_layers(const LayeredImage& picture,
                                              const ExrOptions& options);
-std::vector<std::byte> encode_hdr(const Image& image);
+std::vector<std::byte> encode_hdr(const FloatImage& image);
 
-// The largest value of a 16-bit float: what an infinite radiance, mostly the overflow of one,
-// becomes.
+// The largest value of a 16-bit float replaces an infinite radiance, which mostly is the overflow
+// of one.
 inline constexpr float kInfiniteRadiance = 65504.0f;
 
 // Finite and not negative.

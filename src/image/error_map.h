@@ -1,4 +1,4 @@
-// Pictures of where two pictures differ.
+// Error maps: where two pictures differ.
 #pragma once
 
 #include "image/image.h"
@@ -6,16 +6,16 @@
 
 namespace hm {
 
-// Per pixel, over R, G and B of two rgba32f pictures of one size: the root of the mean square, and
+// Per pixel, over R, G and B of two pictures of one size: the root of the mean square, and
 // the mean of (a - b)² / (b² + 0.01), `b` being the reference.
-Plane absolute_error(const Image& a, const Image& b);
-Plane relative_squared_error(const Image& a, const Image& b);
+Plane absolute_error(const FloatImage& a, const FloatImage& b);
+Plane relative_squared_error(const FloatImage& a, const FloatImage& b);
 
-// [0, 1] from black over violet and orange to a light yellow, matplotlib's "magma"; rgba8 in sRGB.
-// What is beyond is clamped; NaN is pure green, which magma has nowhere.
-Image magma(const Plane& plane);
+// [0, 1] from black over violet and orange to a light yellow, matplotlib's "magma", in sRGB. Values
+// outside are clamped; NaN is pure green, which magma does not contain.
+Image8 magma(const Plane& plane);
 
-// The numbers themselves as grey, rgba32f.
-Image grey(const Plane& plane);
+// The values as grey.
+FloatImage grey(const Plane& plane);
 
 }  // namespace hm

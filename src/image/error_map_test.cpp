@@ -13,9 +13,10 @@ namespace {
 using namespace testing_images;
 
 TEST(ErrorMap, PerPixelNumbers) {
-    Image a = make_image(2, 1, PixelFormat::rgba32f), b = a;
-    set_component(a, 0, 0, 2.0f), set_component(b, 0, 0, 1.0f);
-    set_component(a, 1, 3, 5.0f);  // alpha does not count
+    FloatImage a(2, 1), b = a;
+    a.pixels[0][0] = 2.0f;
+    b.pixels[0][0] = 1.0f;
+    a.pixels[1][3] = 5.0f;  // alpha does not count
     const Plane absolute = absolute_error(a, b), relative = relative_squared_error(a, b);
     EXPECT_FLOAT_EQ(absolute.values[0], std::sqrt(1.0f / 3.0f));
     EXPECT_FLOAT_EQ(relative.values[0], 1.0f / 1.01f / 3.0f);
@@ -26,11 +27,9 @@ TEST(ErrorMap, PerPixelNumbers) {
 TEST(ErrorMap, MagmaFromBlackToYellow) {
     Plane plane(5, 1);
     plane.values = {0.0f, 1.0f, 7.0f, -1.0f, std::nanf("")};
-    const Image image = magma(plane);
+    const Image8 image = magma(plane);
     const auto color = [&](std::size_t i) {
-        return std::array{component<std::uint8_t>(image, i, 0),
-                          component<std::uint8_t>(image, i, 1),
-                          component<std::uint8_t>(image, i, 2)};
+        return std::array{image.pixels[i][0], image.pixels[i][1], image.pixels[i][2]};
     };
     const std::array<std::uint8_t, 3> black{0, 0, 4}, yellow{252, 253, 191}, green{0, 255, 0};
     EXPECT_EQ(color(0), black);
@@ -43,10 +42,10 @@ TEST(ErrorMap, MagmaFromBlackToYellow) {
 TEST(ErrorMap, GreyKeepsTheNumbers) {
     Plane plane(1, 1);
     plane.values = {12.5f};
-    const Image image = grey(plane);
-    EXPECT_EQ(component<float>(image, 0, 0), 12.5f);
-    EXPECT_EQ(component<float>(image, 0, 2), 12.5f);
-    EXPECT_EQ(component<float>(image, 0, 3), 1.0f);
+    const FloatImage image = grey(plane);
+    EXPECT_EQ(image.pixels[0][0], 12.5f);
+    EXPECT_EQ(image.pixels[0][2], 12.5f);
+    EXPECT_EQ(image.pixels[0][3], 1.0f);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -27,45 +28,45 @@ namespace {
 
 using namespace testing_images;
 
-Image gradient(std::uint32_t width, std::uint32_t height) {
-    Image image = make_image(width, height, PixelFormat::rgba32f);
+FloatImage gradient(std::uint32_t width, std::uint32_t height) {
+    FloatImage image(width, height);
     for (std::size_t i = 0; i < std::size_t(width) * height * 4; ++i)
-        set_component(image, i / 4, i % 4, 0.25f * float(i % 1000));
+        image.pixels[i / 4][i % 4] = 0.25f * float(i % 1000);
     return image;
 }
 
 TEST(Exr, WrittenIsReadAgain) {
     const Folder folder;
-    Image image = gradient(70, 40);
-    set_component(image, 5, 1, -2.5f);
+    FloatImage image = gradient(70, 40);
+    image.pixels[5][1] = -2.5f;
     ASSERT_TRUE(write_exr(folder / "a.exr", image, true, {}));
-    EXPECT_EQ(read_whole(bytes_of_file(folder / "a.exr")).pixels, image.pixels);
+    EXPECT_EQ(read_whole<float>(bytes_of_file(folder / "a.exr")).pixels, image.pixels);
 
     ASSERT_TRUE(write_exr(folder / "b.exr", image, false, {}));
-    const Image opaque = read_whole(bytes_of_file(folder / "b.exr"));
-    EXPECT_EQ(component<float>(opaque, 9, 2), component<float>(image, 9, 2));
-    EXPECT_EQ(component<float>(opaque, 9, 3), 1.0f);
+    const FloatImage opaque = read_whole<float>(bytes_of_file(folder / "b.exr"));
+    EXPECT_EQ(opaque.pixels[9][2], image.pixels[9][2]);
+    EXPECT_EQ(opaque.pixels[9][3], 1.0f);
 }
 
 TEST(Exr, EnvironmentIsCleaned) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    Image image = gradient(2, 2);
-    set_component(image, 0, 0, -1.0f);
-    set_component(image, 0, 1, NAN);
-    set_component(image, 0, 2, kInfinity);
-    set_component(image, 1, 0, -kInfinity);
+    FloatImage image = gradient(2, 2);
+    image.pixels[0][0] = -1.0f;
+    image.pixels[0][1] = NAN;
+    image.pixels[0][2] = kInfinity;
+    image.pixels[1][0] = -kInfinity;
     const auto bytes = encode_exr(image, true, {});
     ASSERT_TRUE(bytes);
     const auto clean = read_environment_image(*bytes, "e");
     ASSERT_TRUE(clean);
-    EXPECT_EQ(component<float>(*clean, 0, 0), 0.0f);
-    EXPECT_EQ(component<float>(*clean, 0, 1), 0.0f);
-    EXPECT_EQ(component<float>(*clean, 0, 2), 65504.0f);
-    EXPECT_EQ(component<float>(*clean, 1, 0), 0.0f);
-    EXPECT_EQ(component<float>(*clean, 1, 1), component<float>(image, 1, 1));
-    EXPECT_EQ(component<float>(*clean, 1, 3), 1.0f);
+    EXPECT_EQ(clean->pixels[0][0], 0.0f);
+    EXPECT_EQ(clean->pixels[0][1], 0.0f);
+    EXPECT_EQ(clean->pixels[0][2], 65504.0f);
+    EXPECT_EQ(clean->pixels[1][0], 0.0f);
+    EXPECT_EQ(clean->pixels[1][1], image.pixels[1][1]);
+    EXPECT_EQ(clean->pixels[1][3], 1.0f);
     // For tools the values stay as they are.
-    EXPECT_TRUE(std::isnan(component<float>(read_whole(*bytes), 0, 1)));
+    EXPECT_TRUE(std::isnan(read_whole<float>(*bytes).pixels[0][1]));
 }
 
 TEST(Exr, MetadataSurvives) {
@@ -142,13 +143,13 @@ ByteArray make_file(const std::vector<ChannelSpec>& channels, Imath::Box2i windo
 // Component c of every pixel is channel `source[c]` of make_file; -1 stands for one.
 void expect_channels(const ByteArray& bytes, std::size_t width, std::size_t height,
                      std::array<int, 4> source) {
-    const Image image = read_whole(bytes);
+    const FloatImage image = read_whole<float>(bytes);
     ASSERT_EQ(image.width, width);
     ASSERT_EQ(image.height, height);
     for (std::size_t i = 0; i < width * height; ++i)
         for (std::size_t c = 0; c < 4; ++c) {
             const int expected = int(1000 * (i % width) + 10 * (i / width)) + source[c];
-            ASSERT_EQ(component<float>(image, i, c), source[c] < 0 ? 1.0f : float(expected))
+            ASSERT_EQ(image.pixels[i][c], source[c] < 0 ? 1.0f : float(expected))
                 << "pixel " << i << " component " << c;
         }
 }

@@ -277,19 +277,19 @@ void choose_exposures(const Planes& reference, HdrFlip& result) {
         std::uint32_t(std::max(2.0, std::ceil(result.stop_exposure - result.start_exposure)));
 }
 
-void check_pair(const Image& a, const Image& b) {
+void check_pair(const FloatImage& a, const FloatImage& b) {
     HM_CHECK(a.width == b.width && a.height == b.height && a.width > 0 && a.height > 0,
              "{} x {} and {} x {} pixels", a.width, a.height, b.width, b.height);
 }
 
 }  // namespace
 
-Plane ldr_flip(const Image& reference, const Image& test, double pixels_per_degree) {
+Plane ldr_flip(const FloatImage& reference, const FloatImage& test, double pixels_per_degree) {
     check_pair(reference, test);
     return flip_of_planes(color_planes(reference), color_planes(test), pixels_per_degree);
 }
 
-HdrFlip hdr_flip(const Image& reference, const Image& test, double pixels_per_degree) {
+HdrFlip hdr_flip(const FloatImage& reference, const FloatImage& test, double pixels_per_degree) {
     check_pair(reference, test);
     const Planes a = color_planes(reference), b = color_planes(test);
     HdrFlip result;

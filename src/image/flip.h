@@ -25,10 +25,10 @@ struct HdrFlip {
 // lie in [0, 1].
 
 // What displays show: values outside [0, 1] are clamped.
-Plane ldr_flip(const Image& reference, const Image& test,
+Plane ldr_flip(const FloatImage& reference, const FloatImage& test,
                double pixels_per_degree = kFlipPixelsPerDegree);
 // Radiance: the largest LDR-FLIP over a range of exposures that the reference alone decides.
-HdrFlip hdr_flip(const Image& reference, const Image& test,
+HdrFlip hdr_flip(const FloatImage& reference, const FloatImage& test,
                  double pixels_per_degree = kFlipPixelsPerDegree);
 
 }  // namespace hm

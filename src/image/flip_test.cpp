@@ -13,17 +13,16 @@ namespace {
 
 using namespace testing_images;
 
-Image filled(float r, float g, float b) {
-    Image image = make_image(24, 20, PixelFormat::rgba32f);
+FloatImage filled(float r, float g, float b) {
+    FloatImage image(24, 20);
     for (std::size_t i = 0; i < 24 * 20; ++i) {
-        set_component(image, i, 0, r), set_component(image, i, 1, g);
-        set_component(image, i, 2, b), set_component(image, i, 3, 1.0f);
+        image.pixels[i] = {r, g, b, 1.0f};
     }
     return image;
 }
 
 TEST(Flip, EqualPicturesHaveNoError) {
-    const Image image = filled(0.2f, 0.5f, 0.7f);
+    const FloatImage image = filled(0.2f, 0.5f, 0.7f);
     EXPECT_EQ(mean(ldr_flip(image, image)), 0.0);
     EXPECT_EQ(mean(hdr_flip(image, image).error), 0.0);
 }
@@ -53,8 +52,8 @@ TEST(Flip, ExposuresFollowTheReference) {
     // Twice the radiance asks for one stop less.
     const HdrFlip twice = hdr_flip(filled(1, 1, 1), filled(3, 3, 3));
     EXPECT_NEAR(twice.start_exposure, one.start_exposure - 1, 1e-6);
-    Image bright = filled(0.5f, 0.5f, 0.5f);
-    set_component(bright, 7, 1, 0.5f + 31.5f / 0.7152f);  // a luminance of 32
+    FloatImage bright = filled(0.5f, 0.5f, 0.5f);
+    bright.pixels[7][1] = 0.5f + 31.5f / 0.7152f;  // a luminance of 32
     const HdrFlip many = hdr_flip(bright, bright);
     EXPECT_NEAR(many.stop_exposure - many.start_exposure, 6, 1e-5);
     EXPECT_NEAR(many.stop_exposure, one.stop_exposure, 1e-6);
@@ -65,10 +64,10 @@ TEST(Flip, ExposuresFollowTheReference) {
 }
 
 TEST(Flip, SmallPicturesWork) {
-    const Image image = make_image(1, 1, PixelFormat::rgba32f);
+    const FloatImage image(1, 1);
     EXPECT_EQ(ldr_flip(image, image).values.size(), 1u);
-    Image dot = filled(0, 0, 0);
-    set_component(dot, 10 * 24 + 12, 1, 1.0f);
+    FloatImage dot = filled(0, 0, 0);
+    dot.pixels[10 * 24 + 12][1] = 1.0f;
     const Plane error = ldr_flip(filled(0, 0, 0), dot);
     // The eye blurs: neighbours are seen to differ too, less than the pixel itself.
     const float there = error.values[10 * 24 + 12], beside = error.values[10 * 24 + 14];

@@ -13,7 +13,6 @@
 #include <string>
 #include <utility>
 
-#include "base/check.h"
 #include "image/codecs.h"
 
 namespace hm {
@@ -202,7 +201,7 @@ std::array<float, 256> exponent_table() {
     return table;
 }
 
-Rgbe to_rgbe(const float* rgb) {
+Rgbe to_rgbe(const Rgba<float>& rgb) {
     const float r = clean_radiance(rgb[0]), g = clean_radiance(rgb[1]), b = clean_radiance(rgb[2]);
     const float largest = std::max({r, g, b});
     if (largest == 0.0f) return {0, 0, 0, 0};
@@ -255,7 +254,7 @@ void append_component_runs(std::vector<std::byte>& out, std::span<const Rgbe> ro
 
 }  // namespace
 
-Result<Image> decode_hdr(Bytes bytes, std::string_view name) {
+Result<FloatImage> decode_hdr(Bytes bytes, std::string_view name) {
     static const std::array<float, 256> kExponents = exponent_table();
     Cursor cursor(bytes);
     HM_TRY_ASSIGN(const Header header, parse_header(cursor, name));
@@ -266,30 +265,27 @@ Result<Image> decode_hdr(Bytes bytes, std::string_view name) {
                       fmt::format("{} bytes are too few for {} x {} pixels", cursor.left(),
                                   header.width, header.height));
 
-    // Grown row by row: a picture that ends early takes no memory for the rest.
-    Image image{header.width, header.height, PixelFormat::rgba32f, {}};
-    const std::size_t row_bytes = std::size_t(image.width) * 16;
-    image.pixels.reserve(row_bytes * image.height);
+    // Grown row by row: a truncated picture takes no memory for the rest.
+    FloatImage image;
+    image.width = header.width;
+    image.height = header.height;
+    image.pixels.reserve(std::size_t(image.width) * image.height);
     std::vector<Rgbe> row(image.width);
-    std::vector<float> values(std::size_t(image.width) * 4);
     for (std::uint32_t y = 0; y < image.height; ++y) {
         if (const char* wrong = read_row(cursor, row))
             return refuse(name, fmt::format("row {}", y), fmt::format("the scan line {}", wrong));
-        for (std::size_t x = 0; x < row.size(); ++x) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const float stored = float(row[x][c]) * kExponents[row[x][3]];
-                values[4 * x + c] = clean_radiance(stored * header.scale[c]);
-            }
-            values[4 * x + 3] = 1.0f;
+        for (const Rgbe& stored : row) {
+            Rgba<float>& pixel = image.pixels.emplace_back();
+            for (std::size_t c = 0; c < 3; ++c)
+                pixel[c] =
+                    clean_radiance(float(stored[c]) * kExponents[stored[3]] * header.scale[c]);
+            pixel[3] = 1.0f;
         }
-        const auto row_values = std::as_bytes(std::span(values));
-        image.pixels.insert(image.pixels.end(), row_values.begin(), row_values.end());
     }
     return image;
 }
 
-std::vector<std::byte> encode_hdr(const Image& image) {
-    HM_CHECK(image.format == PixelFormat::rgba32f, "format = {}", unsigned(image.format));
+std::vector<std::byte> encode_hdr(const FloatImage& image) {
     const std::string header = fmt::format("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n",
                                            image.height, image.width);
     std::vector<std::byte> out;
@@ -297,11 +293,8 @@ std::vector<std::byte> encode_hdr(const Image& image) {
         out.push_back(std::byte(c));
     std::vector<Rgbe> row(image.width);
     for (std::size_t y = 0; y < image.height; ++y) {
-        for (std::size_t x = 0; x < row.size(); ++x) {
-            float rgba[4];
-            std::memcpy(rgba, &image.pixels[(y * row.size() + x) * 16], 16);
-            row[x] = to_rgbe(rgba);
-        }
+        for (std::size_t x = 0; x < row.size(); ++x)
+            row[x] = to_rgbe(image.pixels[y * row.size() + x]);
         if (row.size() >= kMinRunWidth && row.size() <= kMaxRunWidth) {
             append(out, {2, 2, row.size() >> 8, row.size() & 255});
             for (std::size_t c = 0; c < 4; ++c)

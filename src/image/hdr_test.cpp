@@ -25,16 +25,17 @@ std::vector<std::byte> file(std::string_view header, std::initializer_list<unsig
 const char* const kHeader2x1 = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
 const char* const kHeader8x1 = "#?RGBE\n# made by hand\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n";
 
-void expect_rgb(const Image& image, std::size_t i, float r, float g, float b) {
-    ASSERT_LT(i * 16, image.pixels.size());
-    EXPECT_EQ(component<float>(image, i, 0), r) << "pixel " << i;
-    EXPECT_EQ(component<float>(image, i, 1), g) << "pixel " << i;
-    EXPECT_EQ(component<float>(image, i, 2), b) << "pixel " << i;
-    EXPECT_EQ(component<float>(image, i, 3), 1.0f) << "pixel " << i;
+void expect_rgb(const FloatImage& image, std::size_t i, float r, float g, float b) {
+    ASSERT_LT(i, image.pixels.size());
+    EXPECT_EQ(image.pixels[i][0], r) << "pixel " << i;
+    EXPECT_EQ(image.pixels[i][1], g) << "pixel " << i;
+    EXPECT_EQ(image.pixels[i][2], b) << "pixel " << i;
+    EXPECT_EQ(image.pixels[i][3], 1.0f) << "pixel " << i;
 }
 
 TEST(Hdr, FlatPixels) {
-    const Image image = read_whole(file(kHeader2x1, {128, 64, 0, 129, 255, 255, 255, 0}));
+    const FloatImage image =
+        read_whole<float>(file(kHeader2x1, {128, 64, 0, 129, 255, 255, 255, 0}));
     ASSERT_EQ(image.width, 2u);
     ASSERT_EQ(image.height, 1u);
     expect_rgb(image, 0, 1.0f, 0.5f, 0.0f);
@@ -42,7 +43,7 @@ TEST(Hdr, FlatPixels) {
 }
 
 TEST(Hdr, ExposureAndColourCorrectionDivide) {
-    const Image image = read_whole(
+    const FloatImage image = read_whole<float>(
         file("#?RADIANCE\r\nEXPOSURE=2\r\nEXPOSURE= 4.0\r\nCOLORCORR=1 0.5 2\r\n\r\n-Y 1 +X 1\r\n",
              {128, 128, 128, 132}));
     expect_rgb(image, 0, 1.0f, 2.0f, 0.5f);  // 8 / (2 * 4), then the channels
@@ -51,9 +52,9 @@ TEST(Hdr, ExposureAndColourCorrectionDivide) {
 TEST(Hdr, OldRuns) {
     // A pixel, three more of it, another, and 1 + 0 * 256 of that in two repeats that build one
     // count.
-    const Image image =
-        read_whole(file(kHeader8x1, {128, 0, 0, 129, 1, 1, 1, 3, 0,   128, 0, 129, 1, 1,
-                                     1,   1, 1, 1,   1, 0, 0, 0, 128, 129, 1, 1,   1, 1}));
+    const FloatImage image =
+        read_whole<float>(file(kHeader8x1, {128, 0, 0, 129, 1, 1, 1, 3, 0,   128, 0, 129, 1, 1,
+                                            1,   1, 1, 1,   1, 0, 0, 0, 128, 129, 1, 1,   1, 1}));
     for (std::size_t i = 0; i < 4; ++i)
         expect_rgb(image, i, 1, 0, 0);
     for (std::size_t i = 4; i < 6; ++i)
@@ -64,14 +65,14 @@ TEST(Hdr, OldRuns) {
 
 TEST(Hdr, OldRunsLongerThanAByte) {
     // 1 + 44 + 1 * 256 = 301 pixels.
-    const Image image = read_whole(
+    const FloatImage image = read_whole<float>(
         file("#?RADIANCE\n\n-Y 1 +X 301\n", {128, 64, 32, 129, 1, 1, 1, 44, 1, 1, 1, 1}));
     for (std::size_t i = 0; i < 301; ++i)
         expect_rgb(image, i, 1.0f, 0.5f, 0.25f);
 }
 
 TEST(Hdr, NewRuns) {
-    const Image image = read_whole(
+    const FloatImage image = read_whole<float>(
         file(kHeader8x1, {2,   2,   0,  8,                                             //
                           136, 128,                                                    // red: a run
                           8,   0,   32, 64, 96, 128, 160, 192, 224, 132, 0, 132, 128,  // blue: two
@@ -110,17 +111,17 @@ TEST(Hdr, BrokenFilesAreRefused) {
     expect_refusal(file(kHeader8x1, {2, 2, 0, 8, 0, 1}), "wrong length");    // an empty literal
 }
 
-Image noise(std::uint32_t width, std::uint32_t height) {
-    Image image = make_image(width, height, PixelFormat::rgba32f);
+FloatImage noise(std::uint32_t width, std::uint32_t height) {
+    FloatImage image(width, height);
     std::mt19937 random(7);
     for (std::size_t i = 0; i < std::size_t(width) * height; ++i) {
         const bool flat = (i / 5) % 3 == 0;  // gives the writer runs, short ones and literals
         for (std::size_t c = 0; c < 3; ++c) {
             const int exponent = int(random() % 40) - 20;
             const float value = std::ldexp(float(random() % 1000) / 1000.0f, exponent);
-            set_component(image, i, c, flat ? 0.75f : value);
+            image.pixels[i][c] = flat ? 0.75f : value;
         }
-        set_component(image, i, 3, 1.0f);
+        image.pixels[i][3] = 1.0f;
     }
     return image;
 }
@@ -129,18 +130,17 @@ TEST(Hdr, WrittenIsReadAgain) {
     const Folder folder;
     for (const std::uint32_t width : {1u, 7u, 8u, 129u, 640u, 33000u}) {
         SCOPED_TRACE(width);
-        const Image image = noise(width, 3);
+        const FloatImage image = noise(width, 3);
         ASSERT_TRUE(write_hdr(folder / "a.hdr", image));
-        const Image again = read_whole(bytes_of_file(folder / "a.hdr"));
+        const FloatImage again = read_whole<float>(bytes_of_file(folder / "a.hdr"));
         ASSERT_EQ(again.pixels.size(), image.pixels.size());
         for (std::size_t i = 0; i < std::size_t(width) * 3; ++i) {
             float largest = 0.0f;
             for (std::size_t c = 0; c < 3; ++c)
-                largest = std::max(largest, component<float>(image, i, c));
+                largest = std::max(largest, image.pixels[i][c]);
             // Half a step of a mantissa of 128 or more.
             for (std::size_t c = 0; c < 3; ++c)
-                ASSERT_NEAR(component<float>(again, i, c), component<float>(image, i, c),
-                            largest / 256.0f);
+                ASSERT_NEAR(again.pixels[i][c], image.pixels[i][c], largest / 256.0f);
         }
     }
 }
@@ -150,14 +150,14 @@ TEST(Hdr, WriterTakesAnyFloat) {
     const float kMax = std::numeric_limits<float>::max();
     const float values[][3] = {{kInfinity, 0, 0}, {NAN, -1, 2},           {kMax, 0, 0},
                                {1e-45f, 0, 0},    {0.99999994f, 0, 0.5f}, {0, 0, 0}};
-    Image image = make_image(6, 1, PixelFormat::rgba32f);
+    FloatImage image(6, 1);
     for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t c = 0; c < 3; ++c)
-            set_component(image, i, c, values[i][c]);
-    const Image again = read_whole(encode_hdr(image));
-    EXPECT_NEAR(component<float>(again, 0, 0), 65504.0f, 256.0f);
+            image.pixels[i][c] = values[i][c];
+    const FloatImage again = read_whole<float>(encode_hdr(image));
+    EXPECT_NEAR(again.pixels[0][0], 65504.0f, 256.0f);
     expect_rgb(again, 1, 0, 0, 2);
-    EXPECT_GT(component<float>(again, 2, 0), 1.6e38f);  // the format's largest is 255 * 2^119
+    EXPECT_GT(again.pixels[2][0], 1.6e38f);  // the format's largest is 255 * 2^119
     expect_rgb(again, 3, 0, 0, 0);
     expect_rgb(again, 4, 1, 0, 0.5f);
     expect_rgb(again, 5, 0, 0, 0);

@@ -1,28 +1,68 @@
-// A picture in memory: four channels, rows from the top, no padding between rows.
+// Pictures in memory: four channels, rows from the top, no padding between rows.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-
-#include "base/memory.h"
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace hm {
 
-enum class PixelFormat : std::uint32_t {
-    rgba8 = 0,   // four uint8, 0..255 meaning 0..1
-    rgba16 = 1,  // four uint16 in the machine's byte order, 0..65535 meaning 0..1
-    rgba32f = 2  // four float, linear
-};
+// Red, green, blue, alpha.
+template <class T>
+using Rgba = std::array<T, 4>;
 
-constexpr std::size_t bytes_per_pixel(PixelFormat format) {
-    return format == PixelFormat::rgba8 ? 4 : format == PixelFormat::rgba16 ? 8 : 16;
-}
-
-struct Image {
+template <class T>
+struct ImageOf {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    PixelFormat format = PixelFormat::rgba8;
-    ByteArray pixels;  // width * height * bytes_per_pixel(format)
+    std::vector<Rgba<T>> pixels;  // width * height of them
+
+    ImageOf() = default;
+    // All channels zero.
+    ImageOf(std::uint32_t w, std::uint32_t h) : width(w), height(h), pixels(std::size_t(w) * h) {}
 };
+
+using FloatImage = ImageOf<float>;       // linear
+using Image8 = ImageOf<std::uint8_t>;    // 0..255 meaning 0..1
+using Image16 = ImageOf<std::uint16_t>;  // 0..65535 meaning 0..1
+
+// How a texture's pixels are stored.
+enum class PixelFormat : std::uint32_t { rgba8 = 0, rgba16 = 1 };
+
+constexpr std::size_t bytes_per_pixel(PixelFormat format) {
+    return format == PixelFormat::rgba8 ? sizeof(Rgba<std::uint8_t>) : sizeof(Rgba<std::uint16_t>);
+}
+
+// A picture as PNG and JPEG store it: values with their encoding, mostly sRGB.
+class TextureImage {
+  public:
+    TextureImage() = default;
+    TextureImage(Image8 image) : image_(std::move(image)) {}
+    TextureImage(Image16 image) : image_(std::move(image)) {}
+
+    PixelFormat format() const { return PixelFormat(image_.index()); }
+    std::uint32_t width() const {
+        return std::visit([](const auto& image) { return image.width; }, image_);
+    }
+    std::uint32_t height() const {
+        return std::visit([](const auto& image) { return image.height; }, image_);
+    }
+    std::span<const std::byte> bytes() const {
+        return std::visit([](const auto& image) { return std::as_bytes(std::span(image.pixels)); },
+                          image_);
+    }
+    // Image8 or Image16.
+    const std::variant<Image8, Image16>& image() const { return image_; }
+
+  private:
+    std::variant<Image8, Image16> image_;  // in PixelFormat's order
+};
+
+// Any picture file's content.
+using AnyImage = std::variant<TextureImage, FloatImage>;
 
 }  // namespace hm

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <csetjmp>
+#include <cstdint>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -30,7 +31,7 @@ class Decoder {
 
     bool read_header(Bytes bytes);
     bool start(J_COLOR_SPACE space);
-    bool read_row(std::byte* row);
+    bool read_row(Rgba<std::uint8_t>* row);
     bool finish();  // reads to the end mark
 
     const jpeg_decompress_struct& info() const { return info_; }
@@ -104,8 +105,8 @@ bool Decoder::start(J_COLOR_SPACE space) {
     return guarded([&] { jpeg_start_decompress(&info_); });
 }
 
-bool Decoder::read_row(std::byte* row) {
-    auto* samples = reinterpret_cast<JSAMPLE*>(row);
+bool Decoder::read_row(Rgba<std::uint8_t>* row) {
+    JSAMPLE* samples = row->data();
     return guarded([&] { jpeg_read_scanlines(&info_, &samples, 1); });
 }
 
@@ -113,18 +114,16 @@ bool Decoder::finish() {
     return guarded([&] { jpeg_finish_decompress(&info_); });
 }
 
-// In place; both have four bytes a pixel. Adobe's programs store the inks inverted and say so by
-// their marker.
-void cmyk_to_rgba(std::span<std::byte> pixels, bool inverted) {
-    for (std::size_t i = 0; i < pixels.size(); i += 4) {
-        const auto light = [&](std::size_t c) {  // what the ink lets through, 0..255
-            const auto stored = std::to_integer<unsigned>(pixels[i + c]);
-            return inverted ? stored : 255u - stored;
+// In place. Adobe's programs store the inks inverted; their marker identifies such files.
+void cmyk_to_rgba(std::span<Rgba<std::uint8_t>> pixels, bool inverted) {
+    for (Rgba<std::uint8_t>& pixel : pixels) {
+        const auto transmitted = [&](std::size_t c) {  // light that passes the ink, 0..255
+            return inverted ? unsigned(pixel[c]) : 255u - pixel[c];
         };
-        const unsigned key = light(3);
+        const unsigned key = transmitted(3);
         for (std::size_t c = 0; c < 3; ++c)
-            pixels[i + c] = std::byte((light(c) * key + 127) / 255);
-        pixels[i + 3] = std::byte(255);
+            pixel[c] = std::uint8_t((transmitted(c) * key + 127) / 255);
+        pixel[3] = 255;
     }
 }
 
@@ -134,7 +133,7 @@ tl::unexpected<Error> refuse(std::string_view name, std::string message) {
 
 }  // namespace
 
-Result<Image> decode_jpeg(Bytes bytes, std::string_view name) {
+Result<TextureImage> decode_jpeg(Bytes bytes, std::string_view name) {
     Decoder decoder;
     if (!decoder.read_header(bytes)) return refuse(name, decoder.message());
     const jpeg_decompress_struct& info = decoder.info();
@@ -154,13 +153,15 @@ Result<Image> decode_jpeg(Bytes bytes, std::string_view name) {
                       fmt::format("unknown colour space with {} components", info.num_components));
     if (!decoder.start(cmyk ? JCS_CMYK : JCS_EXT_RGBA)) return refuse(name, decoder.message());
 
-    // Grown row by row: a picture that ends early takes no memory for the rest.
-    Image image{info.image_width, info.image_height, PixelFormat::rgba8, {}};
-    const std::size_t row_bytes = std::size_t(image.width) * 4;
-    image.pixels.reserve(pixels * 4);
-    for (std::uint32_t y = 0; y < image.height; ++y) {
-        image.pixels.resize((y + 1) * row_bytes);
-        if (!decoder.read_row(&image.pixels[y * row_bytes])) return refuse(name, decoder.message());
+    // Grown row by row: a truncated picture takes no memory for the rest.
+    Image8 image;
+    image.width = info.image_width;
+    image.height = info.image_height;
+    image.pixels.reserve(pixels);
+    for (std::size_t y = 0; y < image.height; ++y) {
+        image.pixels.resize((y + 1) * image.width);
+        if (!decoder.read_row(&image.pixels[y * image.width]))
+            return refuse(name, decoder.message());
     }
     if (!decoder.finish()) return refuse(name, decoder.message());
     if (cmyk) cmyk_to_rgba(image.pixels, info.saw_Adobe_marker != FALSE);

@@ -1,6 +1,7 @@
 #include "image/layers.h"
 
-#include <cstring>
+#include <algorithm>
+#include <iterator>
 
 #include "base/check.h"
 #include "base/files.h"
@@ -26,24 +27,19 @@ const std::string* LayeredImage::find_metadata(std::string_view key) const {
     return nullptr;
 }
 
-Image layer_image(const LayeredImage& picture, const Layer& layer) {
+FloatImage layer_image(const LayeredImage& picture, const Layer& layer) {
     const LayerChannel* alpha = layer.find("A");
     std::vector<const LayerChannel*> colors;
     for (const LayerChannel& channel : layer.channels)
         if (&channel != alpha && colors.size() < 3) colors.push_back(&channel);
     if (colors.size() == 1) colors.resize(3, colors[0]);
-    const std::size_t pixels = picture.data.pixels();
-    std::vector<float> values(pixels * 4);
-    for (std::size_t i = 0; i < pixels; ++i) {
+    FloatImage image(picture.data.width(), picture.data.height());
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         for (std::size_t c = 0; c < colors.size(); ++c)
-            values[4 * i + c] = colors[c]->values[i];
-        values[4 * i + 3] = alpha ? alpha->values[i] : 1.0f;
+            image.pixels[i][c] = colors[c]->values[i];
+        image.pixels[i][3] = alpha ? alpha->values[i] : 1.0f;
     }
-    const auto bytes = std::as_bytes(std::span(values));
-    return {picture.data.width(),
-            picture.data.height(),
-            PixelFormat::rgba32f,
-            {bytes.begin(), bytes.end()}};
+    return image;
 }
 
 Layer make_layer(std::string name, std::string_view channels, std::span<const float> values) {
@@ -60,12 +56,15 @@ Layer make_layer(std::string name, std::string_view channels, std::span<const fl
     return layer;
 }
 
-Layer make_layer(std::string name, const Image& image, bool alpha) {
-    HM_CHECK(image.format == PixelFormat::rgba32f, "format = {}", unsigned(image.format));
-    std::vector<float> values(image.pixels.size() / sizeof(float));
-    std::memcpy(values.data(), image.pixels.data(), image.pixels.size());
-    Layer layer = make_layer(std::move(name), "RGBA", values);
-    if (!alpha) layer.channels.pop_back();
+Layer make_layer(std::string name, const FloatImage& image, bool alpha) {
+    Layer layer{std::move(name), {}};
+    for (std::size_t c = 0; c < (alpha ? 4u : 3u); ++c) {
+        LayerChannel& channel = layer.channels.emplace_back();
+        channel.name = "RGBA"[c];
+        channel.values.reserve(image.pixels.size());
+        std::transform(image.pixels.begin(), image.pixels.end(), std::back_inserter(channel.values),
+                       [c](const Rgba<float>& pixel) { return pixel[c]; });
+    }
     return layer;
 }
 

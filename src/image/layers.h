@@ -53,12 +53,12 @@ struct LayeredImage {
 };
 
 // The first three channels as colour and "A" as alpha, 1 without one; a single channel is grey.
-Image layer_image(const LayeredImage& picture, const Layer& layer);
+FloatImage layer_image(const LayeredImage& picture, const Layer& layer);
 
 // Interleaved values of as many floats per pixel as `channels` has letters.
 Layer make_layer(std::string name, std::string_view channels, std::span<const float> values);
-// R, G, B and, with `alpha`, A of an rgba32f picture.
-Layer make_layer(std::string name, const Image& image, bool alpha);
+// R, G, B and, with `alpha`, A.
+Layer make_layer(std::string name, const FloatImage& image, bool alpha);
 
 enum class ExrCompression { none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab };
 

@@ -132,16 +132,16 @@ TEST(LayeredImage, ChannelNamesInTheFile) {
 
 TEST(LayeredImage, BecomePictures) {
     const LayeredImage picture = test_picture();
-    const Image beauty = layer_image(picture, *picture.find(""));
+    const FloatImage beauty = layer_image(picture, *picture.find(""));
     EXPECT_EQ(beauty.width, 37u);
-    EXPECT_EQ(component<float>(beauty, 38, 3), 101.75f);
+    EXPECT_EQ(beauty.pixels[38][3], 101.75f);
     EXPECT_EQ(make_layer("", beauty, true).channels[3].values,
               picture.layers[0].channels[3].values);
     EXPECT_EQ(make_layer("", beauty, false).channels.size(), 3u);
-    const Image depth = layer_image(picture, *picture.find("depth"));
-    EXPECT_EQ(component<float>(depth, 2, 0), 3.75f);
-    EXPECT_EQ(component<float>(depth, 2, 2), 3.75f);
-    EXPECT_EQ(component<float>(depth, 2, 3), 1.0f);
+    const FloatImage depth = layer_image(picture, *picture.find("depth"));
+    EXPECT_EQ(depth.pixels[2][0], 3.75f);
+    EXPECT_EQ(depth.pixels[2][2], 3.75f);
+    EXPECT_EQ(depth.pixels[2][3], 1.0f);
 }
 
 TEST(LayeredImage, BadFilesAreRefused) {

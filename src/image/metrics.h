@@ -1,4 +1,4 @@
-// How far one picture is from another.
+// Errors between two pictures: MSE, relative MSE, PSNR.
 #pragma once
 
 #include <span>
@@ -7,8 +7,7 @@
 
 namespace hm {
 
-// What the squared reference is increased by in relative errors, so that they stay finite where it
-// is black.
+// Added to the squared reference in relative errors, so that they stay finite where it is black.
 inline constexpr double kRelativeFloor = 1e-2;
 
 struct ImageError {
@@ -21,8 +20,8 @@ struct ImageError {
 // Value by value; `b` is the reference, as long as `a`. A NaN in either makes every number NaN.
 ImageError compare_values(std::span<const float> a, std::span<const float> b);
 
-// Over R, G and B of two rgba32f pictures of the same size.
-ImageError compare_images(const Image& a, const Image& b);
+// Over R, G and B of two pictures of the same size.
+ImageError compare_images(const FloatImage& a, const FloatImage& b);
 
 // Peak signal-to-noise ratio in decibels of values whose largest is 1; infinite where mse is 0.
 double psnr(double mse);

@@ -12,10 +12,10 @@ using namespace testing_images;
 
 TEST(PictureFile, APngLiesOverBlack) {
     const Folder folder;
-    Image image = make_image(1, 1, PixelFormat::rgba8);
-    set_component<std::uint8_t>(image, 0, 0, 255);
-    set_component<std::uint8_t>(image, 0, 1, 51);
-    set_component<std::uint8_t>(image, 0, 3, 51);
+    Image8 image(1, 1);
+    image.pixels[0][0] = 255;
+    image.pixels[0][1] = 51;
+    image.pixels[0][3] = 51;
     ASSERT_TRUE(write_png(folder / "a.png", image, true, {}));
     const auto file = read_picture_file(folder / "a.png");
     ASSERT_TRUE(file) << file.error().line();
@@ -29,8 +29,8 @@ TEST(PictureFile, APngLiesOverBlack) {
 
 TEST(PictureFile, RadianceIsLinear) {
     const Folder folder;
-    Image image = make_image(3, 2, PixelFormat::rgba32f);
-    set_component(image, 4, 1, 8.0f);
+    FloatImage image(3, 2);
+    image.pixels[4][1] = 8.0f;
     ASSERT_TRUE(write_exr(folder / "a.exr", image, false, {}));
     ASSERT_TRUE(write_hdr(folder / "a.hdr", image));
     for (const char* name : {"a.exr", "a.hdr"}) {

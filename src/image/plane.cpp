@@ -4,24 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "base/check.h"
 
 namespace hm {
 
-std::array<Plane, 3> color_planes(const Image& image) {
+std::array<Plane, 3> color_planes(const FloatImage& image) {
     const std::size_t count = std::size_t(image.width) * image.height;
-    HM_CHECK(image.format == PixelFormat::rgba32f && image.pixels.size() == count * 16,
-             "format {}, {} pixels, {} bytes", unsigned(image.format), count, image.pixels.size());
+    HM_CHECK(image.pixels.size() == count, "{} x {}, {} pixels", image.width, image.height,
+             image.pixels.size());
     std::array<Plane, 3> planes;
     planes.fill(Plane(image.width, image.height));
-    for (std::size_t i = 0; i < count; ++i) {
-        float pixel[4];
-        std::memcpy(pixel, &image.pixels[i * 16], 16);
-        for (std::size_t c = 0; c < 3; ++c)
-            planes[c].values[i] = pixel[c];
-    }
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < count; ++i)
+            planes[c].values[i] = image.pixels[i][c];
     return planes;
 }
 

@@ -18,8 +18,8 @@ struct Plane {
     Plane(std::uint32_t w, std::uint32_t h) : width(w), height(h), values(std::size_t(w) * h) {}
 };
 
-// R, G and B of an rgba32f picture.
-std::array<Plane, 3> color_planes(const Image& image);
+// R, G and B.
+std::array<Plane, 3> color_planes(const FloatImage& image);
 
 double mean(const Plane& plane);
 

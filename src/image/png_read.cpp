@@ -1,5 +1,5 @@
-// Reading PNG through Wuffs (W3C, Portable Network Graphics, third edition). It was two to three
-// times as fast as libspng on the textures of shared scenes.
+// Reading PNG through Wuffs (W3C, Portable Network Graphics, third edition). It is two to three
+// times as fast as libspng (docs/decisions/0011-png-by-wuffs.md).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,9 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "base/memory.h"
 #include "image/big_endian.h"
 #include "image/codecs.h"
 #include "image/wuffs.h"
@@ -50,7 +52,7 @@ struct Chunk {
     bool intact;
 };
 
-// The first chunk of `rest`, which is moved on behind it; nothing at the end or where one is cut.
+// Takes the first chunk off `rest`; nothing at the end or where the chunk is truncated.
 std::optional<Chunk> next_chunk(Bytes& rest) {
     constexpr std::size_t kFrame = 12;  // length, type, checksum
     if (rest.size() < kFrame) return std::nullopt;
@@ -59,41 +61,53 @@ std::optional<Chunk> next_chunk(Bytes& rest) {
     const Bytes summed = rest.subspan(4, 4 + length);
     const std::string_view type(reinterpret_cast<const char*>(summed.data()), 4);
     Chunk chunk{type, summed.subspan(4), true};
-    if (type != "IDAT")  // those are many bytes, and the decoder checks them
+    if (type != "IDAT")  // these are large, and the decoder checks them
         chunk.intact = checksum(summed) == big_endian(rest.subspan(8 + length, 4));
     rest = rest.subspan(kFrame + length);
     return chunk;
 }
 
-// What the decoder does not tell.
+// What the decoder does not report.
 struct Header {
     std::uint64_t depth = 0;
     std::uint64_t color_type = 0;
-    bool interlaced = false;
-    Bytes transparent;               // the contents of tRNS
-    std::size_t animation_type = 0;  // where acTL has its type; 0 without
+    Bytes transparent;  // the contents of tRNS
+    bool animated = false;
 };
 
 constexpr std::uint64_t kGrey = 0, kTruecolour = 2;
+constexpr std::size_t kSignatureBytes = 8;
 
-// Fails where a chunk that the decoder passes over is damaged; leaves other faults to the decoder.
+// Fails where a chunk that the decoder skips is damaged; leaves other faults to the decoder.
 Result<Header> read_header(Bytes png, std::string_view name) {
-    constexpr std::size_t kSignature = 8, kDepth = 24, kColorType = 25,
-                          kInterlace = 28;  // IHDR is first (5.6)
+    constexpr std::size_t kDepth = 24, kColorType = 25;  // IHDR is first (5.6)
     Header header;
-    if (png.size() <= kInterlace) return header;
+    if (png.size() <= kColorType) return header;
     header.depth = big_endian(png.subspan(kDepth, 1));
     header.color_type = big_endian(png.subspan(kColorType, 1));
-    header.interlaced = png[kInterlace] != std::byte(0);
-    Bytes rest = png.subspan(kSignature);
+    Bytes rest = png.subspan(kSignatureBytes);
     while (const std::optional<Chunk> chunk = next_chunk(rest)) {
         if (!chunk->intact) return refuse(name, "bad checksum");
         if (chunk->type == "tRNS" && header.transparent.empty()) header.transparent = chunk->data;
-        if (chunk->type == "acTL" && header.animation_type == 0)
-            header.animation_type = std::size_t(chunk->data.data() - png.data()) - 4;
+        if (chunk->type == "acTL") header.animated = true;
         if (chunk->type == "IEND") break;
     }
     return header;
+}
+
+// The file without the chunks of its animation. A texture is the still picture, which need not be
+// the animation's first frame, and the decoder would return that one.
+std::vector<std::byte> without_animation(Bytes png) {
+    std::vector<std::byte> still(png.begin(), png.begin() + kSignatureBytes);
+    Bytes rest = png.subspan(kSignatureBytes), chunk_and_rest = rest;
+    while (const std::optional<Chunk> chunk = next_chunk(rest)) {
+        const Bytes whole = chunk_and_rest.first(chunk_and_rest.size() - rest.size());
+        chunk_and_rest = rest;
+        if (chunk->type == "acTL" || chunk->type == "fcTL" || chunk->type == "fdAT") continue;
+        still.insert(still.end(), whole.begin(), whole.end());
+    }
+    still.insert(still.end(), rest.begin(), rest.end());
+    return still;
 }
 
 std::uint64_t bits_per_pixel(const Header& header) {
@@ -101,17 +115,10 @@ std::uint64_t bits_per_pixel(const Header& header) {
     return kChannels[header.color_type] * header.depth;
 }
 
-// Of 16 bits the decoder writes no other order.
-void exchange_red_and_blue(std::span<std::byte> pixels) {
-    auto* numbers = reinterpret_cast<std::uint16_t*>(pixels.data());
-    for (std::size_t i = 0; i < pixels.size() / 2; i += 4)
-        std::swap(numbers[i], numbers[i + 2]);
-}
-
-// Pixels of the one colour that tRNS makes transparent come out of the decoder as black, and
-// materials may ignore their alpha.
+// The decoder writes black where a pixel has the one colour that tRNS makes transparent, but
+// materials may ignore alpha.
 template <class T>
-void restore_transparent_colour(const Header& header, Image& image) {
+void restore_transparent_colour(const Header& header, ImageOf<T>& image) {
     const bool grey = header.color_type == kGrey;
     if (!grey && header.color_type != kTruecolour) return;
     if (header.transparent.size() != (grey ? 2u : 6u)) return;
@@ -121,68 +128,45 @@ void restore_transparent_colour(const Header& header, Image& image) {
         const std::uint64_t value = big_endian(header.transparent.subspan(grey ? 0 : 2 * c, 2));
         color[c] = T(header.depth < 8 ? (value & most) * 255 / most : value & most);
     }
-    T* pixel = reinterpret_cast<T*>(image.pixels.data());
-    T* const end = pixel + image.pixels.size() / sizeof(T);
-    for (; pixel != end; pixel += 4)
-        if (pixel[3] == 0) std::copy(color, color + 3, pixel);
+    for (Rgba<T>& pixel : image.pixels)
+        if (pixel[3] == 0) std::copy(color, color + 3, pixel.begin());
 }
 
-// Where rows as the file stores them may begin in the memory that their pixels come to fill. Row
-// y's pixels, written once it is read, must end before it begins: the next row's filter reads it
-// again. That holds for all rows where it does for the first and the last one.
-std::uint64_t stored_begin(std::uint32_t rows, std::int64_t pixel_bytes,
-                           std::int64_t stored_bytes) {
-    const std::int64_t pixel_row = pixel_bytes / rows, stored_row = stored_bytes / rows;
-    return std::uint64_t(std::max(pixel_row, pixel_bytes - (stored_bytes - stored_row)));
-}
-
-// Decodes the rows, then reads on to the end of the file to know that it is whole.
-wuffs_base__status decode_pixels(wuffs_png__decoder& decoder, wuffs_base__io_buffer& source,
-                                 wuffs_base__image_config config, bool interlaced, Image& image) {
-    const std::uint64_t stored_bytes = decoder.workbuf_len().min_incl;
-    const std::uint64_t pixel_bytes =
-        std::uint64_t(image.width) * image.height * bytes_per_pixel(image.format);
-    ByteArray apart(interlaced ? stored_bytes : 0);  // interlaced rows are read out of order
-    const std::uint64_t begin =
-        stored_begin(image.height, std::int64_t(pixel_bytes), std::int64_t(stored_bytes));
-    image.pixels.resize(interlaced ? pixel_bytes : begin + stored_bytes);
-    const std::span memory = image.pixels;
-    const std::span stored = interlaced ? std::span(apart) : memory.subspan(begin);
-
-    const std::uint32_t format = image.format == PixelFormat::rgba16
-                                     ? WUFFS_BASE__PIXEL_FORMAT__BGRA_NONPREMUL_4X16LE
-                                     : WUFFS_BASE__PIXEL_FORMAT__RGBA_NONPREMUL;
+// Decodes the picture, then reads on to the end of the file to know that it is whole.
+template <class T>
+Result<ImageOf<T>> decode_pixels(wuffs_png__decoder& decoder, wuffs_base__io_buffer& source,
+                                 wuffs_base__image_config config, std::uint32_t format,
+                                 std::string_view name) {
+    ImageOf<T> image(config.pixcfg.width(), config.pixcfg.height());
+    // The decoder keeps all rows as stored until it writes pixels.
+    ByteArray stored(decoder.workbuf_len().min_incl);
     config.pixcfg.set(format, WUFFS_BASE__PIXEL_SUBSAMPLING__NONE, image.width, image.height);
     wuffs_base__pixel_buffer pixels{};
-    wuffs_base__status status =
-        pixels.set_from_slice(&config.pixcfg, slice(memory.first(pixel_bytes)));
-    if (!status.is_ok()) return status;
-    status = decoder.decode_frame(&pixels, &source, WUFFS_BASE__PIXEL_BLEND__SRC, slice(stored),
-                                  nullptr);
-    image.pixels.resize(pixel_bytes);
+    wuffs_base__status status = pixels.set_from_slice(
+        &config.pixcfg, slice(std::as_writable_bytes(std::span(image.pixels))));
+    if (status.is_ok())
+        status = decoder.decode_frame(&pixels, &source, WUFFS_BASE__PIXEL_BLEND__SRC, slice(stored),
+                                      nullptr);
     while (status.is_ok())
         status = decoder.decode_frame_config(nullptr, &source);
-    if (status.repr == wuffs_base__note__end_of_data) return wuffs_base__make_status(nullptr);
-    return status;
+    if (status.repr != wuffs_base__note__end_of_data) return refuse(name, status);
+    return image;
 }
 
 }  // namespace
 
-Result<Image> decode_png(Bytes bytes, std::string_view name) {
+Result<TextureImage> decode_png(Bytes bytes, std::string_view name) {
     HM_TRY_ASSIGN(const Header header, read_header(bytes, name));
-    // A texture is the still picture of an animation, which need not be its first frame. The
-    // decoder gives that where it does not know acTL.
     std::vector<std::byte> still;
-    if (header.animation_type != 0) {
-        still.assign(bytes.begin(), bytes.end());
-        still[header.animation_type] = std::byte('s');
+    if (header.animated) {
+        still = without_animation(bytes);
         bytes = still;
     }
     const wuffs_png__decoder::unique_ptr decoder = wuffs_png__decoder::alloc();
     if (!decoder) throw std::bad_alloc();
     wuffs_base__io_buffer source = wuffs_base__slice_u8__reader(read_only(bytes), true);
     wuffs_base__image_config config{};
-    wuffs_base__status status = decoder->decode_image_config(&config, &source);
+    const wuffs_base__status status = decoder->decode_image_config(&config, &source);
     if (!status.is_ok()) return refuse(name, status);
     const std::uint32_t width = config.pixcfg.width(), height = config.pixcfg.height();
     HM_TRY(check_image_size(width, height, name));
@@ -193,15 +177,20 @@ Result<Image> decode_png(Bytes bytes, std::string_view name) {
         return refuse(name, fmt::format("{} bytes are too few for {} x {} pixels", bytes.size(),
                                         width, height));
 
-    Image image{width, height, header.depth == 16 ? PixelFormat::rgba16 : PixelFormat::rgba8, {}};
-    status = decode_pixels(*decoder, source, config, header.interlaced, image);
-    if (!status.is_ok()) return refuse(name, status);
-    if (image.format == PixelFormat::rgba16) {
-        exchange_red_and_blue(image.pixels);
-        restore_transparent_colour<std::uint16_t>(header, image);
-    } else {
-        restore_transparent_colour<std::uint8_t>(header, image);
+    if (header.depth == 16) {
+        // Of 16 bits the decoder writes no other order.
+        HM_TRY_ASSIGN(Image16 image, decode_pixels<std::uint16_t>(
+                                         *decoder, source, config,
+                                         WUFFS_BASE__PIXEL_FORMAT__BGRA_NONPREMUL_4X16LE, name));
+        for (Rgba<std::uint16_t>& pixel : image.pixels)
+            std::swap(pixel[0], pixel[2]);
+        restore_transparent_colour(header, image);
+        return image;
     }
+    HM_TRY_ASSIGN(Image8 image,
+                  decode_pixels<std::uint8_t>(*decoder, source, config,
+                                              WUFFS_BASE__PIXEL_FORMAT__RGBA_NONPREMUL, name));
+    restore_transparent_colour(header, image);
     return image;
 }
 

@@ -23,24 +23,35 @@ tl::unexpected<Error> refuse(std::string_view name, std::string message) {
     return fail(ErrorKind::invalid, std::string(name), "", std::move(message));
 }
 
-Result<Image> decode(FileFormat format, Bytes bytes, std::string_view name, ExrValues values) {
+bool is_texture(FileFormat format) {
+    return format == FileFormat::png || format == FileFormat::jpeg;
+}
+
+tl::unexpected<Error> refuse_format(std::string_view name, Bytes bytes) {
+    return refuse(name, bytes.empty() ? "the picture is empty" : "not a picture of a known format");
+}
+
+template <class Decode>
+auto within_memory(std::string_view name, const Decode& decode) -> decltype(decode()) {
     try {
-        switch (format) {
-            case FileFormat::png:
-                return decode_png(bytes, name);
-            case FileFormat::jpeg:
-                return decode_jpeg(bytes, name);
-            case FileFormat::hdr:
-                return decode_hdr(bytes, name);
-            case FileFormat::exr:
-                return decode_exr(bytes, name, values);
-            case FileFormat::unknown:
-                break;
-        }
+        return decode();
     } catch (const std::bad_alloc&) {
         return refuse(name, "the picture does not fit in memory");
     }
-    return refuse(name, bytes.empty() ? "the picture is empty" : "not a picture of a known format");
+}
+
+Result<TextureImage> decode_texture(FileFormat format, Bytes bytes, std::string_view name) {
+    return within_memory(name, [&] {
+        return format == FileFormat::png ? decode_png(bytes, name) : decode_jpeg(bytes, name);
+    });
+}
+
+Result<FloatImage> decode_floats(FileFormat format, Bytes bytes, std::string_view name,
+                                 ExrValues values) {
+    return within_memory(name, [&] {
+        return format == FileFormat::hdr ? decode_hdr(bytes, name)
+                                         : decode_exr(bytes, name, values);
+    });
 }
 
 }  // namespace
@@ -61,22 +72,25 @@ Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::st
     return {};
 }
 
-Result<Image> read_texture_image(Bytes bytes, std::string_view name) {
+Result<TextureImage> read_texture_image(Bytes bytes, std::string_view name) {
     const FileFormat format = file_format(bytes);
-    if (format == FileFormat::hdr || format == FileFormat::exr)
-        return refuse(name, "a texture has to be PNG or JPEG");
-    return decode(format, bytes, name, ExrValues::cleaned);
+    if (format == FileFormat::unknown) return refuse_format(name, bytes);
+    if (!is_texture(format)) return refuse(name, "a texture has to be PNG or JPEG");
+    return decode_texture(format, bytes, name);
 }
 
-Result<Image> read_environment_image(Bytes bytes, std::string_view name) {
+Result<FloatImage> read_environment_image(Bytes bytes, std::string_view name) {
     const FileFormat format = file_format(bytes);
-    if (format == FileFormat::png || format == FileFormat::jpeg)
-        return refuse(name, "an environment has to be Radiance HDR or OpenEXR");
-    return decode(format, bytes, name, ExrValues::cleaned);
+    if (format == FileFormat::unknown) return refuse_format(name, bytes);
+    if (is_texture(format)) return refuse(name, "an environment has to be Radiance HDR or OpenEXR");
+    return decode_floats(format, bytes, name, ExrValues::cleaned);
 }
 
-Result<Image> read_image(Bytes bytes, std::string_view name) {
-    return decode(file_format(bytes), bytes, name, ExrValues::stored);
+Result<AnyImage> read_image(Bytes bytes, std::string_view name) {
+    const FileFormat format = file_format(bytes);
+    if (format == FileFormat::unknown) return refuse_format(name, bytes);
+    if (is_texture(format)) return decode_texture(format, bytes, name);
+    return decode_floats(format, bytes, name, ExrValues::stored);
 }
 
 }  // namespace hm

@@ -13,9 +13,9 @@ namespace {
 using namespace testing_images;
 
 TEST(ReadImage, SignatureDecides) {
-    const auto png = encode_png(make_image(2, 2, PixelFormat::rgba8), true, {});
-    const auto exr = encode_exr(make_image(2, 2, PixelFormat::rgba32f), true, {});
-    const auto hdr = encode_hdr(make_image(2, 2, PixelFormat::rgba32f));
+    const auto png = encode_png(Image8(2, 2), true, {});
+    const auto exr = encode_exr(FloatImage(2, 2), true, {});
+    const auto hdr = encode_hdr(FloatImage(2, 2));
     ASSERT_TRUE(png && exr);
     EXPECT_TRUE(read_texture_image(*png, "wrong.exr"));
     EXPECT_FALSE(read_texture_image(*exr, "a.png"));
@@ -24,20 +24,23 @@ TEST(ReadImage, SignatureDecides) {
     EXPECT_TRUE(read_environment_image(*exr, "a"));
     EXPECT_TRUE(read_environment_image(hdr, "a"));
     const std::vector<std::byte> other(64, std::byte(7));
-    for (const auto read : {read_texture_image, read_environment_image, read_image}) {
+    const auto expect_refusal = [&](const auto& read) {
         ASSERT_FALSE(read(other, "odd"));
         EXPECT_EQ(read(other, "odd").error().line(), "odd: not a picture of a known format");
-        EXPECT_EQ(read({}, "none").error().line(), "none: the picture is empty");
-    }
+        EXPECT_EQ(read(Bytes(), "none").error().line(), "none: the picture is empty");
+    };
+    expect_refusal(read_texture_image);
+    expect_refusal(read_environment_image);
+    expect_refusal(read_image);
 }
 
 TEST(ReadImage, FromManyThreads) {
-    Image picture = make_image(64, 64, PixelFormat::rgba32f);
+    FloatImage picture(64, 64);
     for (std::size_t i = 0; i < 64 * 64 * 4; ++i)
-        set_component(picture, i / 4, i % 4, float(i % 4 == 3));
+        picture.pixels[i / 4][i % 4] = float(i % 4 == 3);
     const auto exr = encode_exr(picture, true, {});
     const auto hdr = encode_hdr(picture);
-    const auto png = encode_png(make_image(64, 64, PixelFormat::rgba8), true, {});
+    const auto png = encode_png(Image8(64, 64), true, {});
     ASSERT_TRUE(exr && png);
     std::vector<int> right(4, 0);
     std::vector<std::thread> threads;

@@ -9,10 +9,11 @@
 namespace hm {
 namespace {
 
-void check_whole(const Image& image) {
+template <class T>
+void check_whole(const ImageOf<T>& image) {
     const std::size_t pixels = std::size_t(image.width) * image.height;
-    HM_CHECK(pixels > 0 && image.pixels.size() == pixels * bytes_per_pixel(image.format),
-             "{} x {} pixels, {} bytes", image.width, image.height, image.pixels.size());
+    HM_CHECK(pixels > 0 && image.pixels.size() == pixels, "{} x {}, {} pixels", image.width,
+             image.height, image.pixels.size());
 }
 
 Result<void> write_encoded(const std::filesystem::path& path,
@@ -24,19 +25,19 @@ Result<void> write_encoded(const std::filesystem::path& path,
 
 }  // namespace
 
-Result<void> write_exr(const std::filesystem::path& path, const Image& image, bool alpha,
+Result<void> write_exr(const std::filesystem::path& path, const FloatImage& image, bool alpha,
                        const Metadata& metadata) {
     check_whole(image);
     return write_encoded(path, encode_exr(image, alpha, metadata));
 }
 
-Result<void> write_png(const std::filesystem::path& path, const Image& image, bool alpha,
+Result<void> write_png(const std::filesystem::path& path, const Image8& image, bool alpha,
                        const Metadata& metadata) {
     check_whole(image);
     return write_encoded(path, encode_png(image, alpha, metadata));
 }
 
-Result<void> write_hdr(const std::filesystem::path& path, const Image& image) {
+Result<void> write_hdr(const std::filesystem::path& path, const FloatImage& image) {
     check_whole(image);
     return write_encoded(path, encode_hdr(image));
 }

@@ -14,16 +14,16 @@ namespace hm {
 // Text attributes, in order: written as OpenEXR string attributes and PNG tEXt chunks.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
-// rgba32f, premultiplied linear Rec.709 (the chromaticities attribute says so), float channels
-// R, G, B and, with `alpha`, A; ZIP-compressed scan lines.
-Result<void> write_exr(const std::filesystem::path& path, const Image& image, bool alpha,
+// Premultiplied linear Rec.709 (the chromaticities attribute says so), float channels R, G, B and,
+// with `alpha`, A; ZIP-compressed scan lines.
+Result<void> write_exr(const std::filesystem::path& path, const FloatImage& image, bool alpha,
                        const Metadata& metadata);
 
-// rgba8 with straight alpha; without `alpha` an RGB file. Carries an sRGB chunk.
-Result<void> write_png(const std::filesystem::path& path, const Image& image, bool alpha,
+// sRGB with straight alpha; without `alpha` an RGB file. Carries an sRGB chunk.
+Result<void> write_png(const std::filesystem::path& path, const Image8& image, bool alpha,
                        const Metadata& metadata);
 
-// rgba32f as Radiance RGBE, run-length coded.
-Result<void> write_hdr(const std::filesystem::path& path, const Image& image);
+// Radiance RGBE, run-length coded.
+Result<void> write_hdr(const std::filesystem::path& path, const FloatImage& image);
 
 }  // namespace hm

@@ -13,8 +13,8 @@ using namespace testing_images;
 
 TEST(WriteImage, RefusalNamesTheFile) {
     const Folder folder;
-    const Image display = make_image(2, 2, PixelFormat::rgba8);
-    const Image light = make_image(2, 2, PixelFormat::rgba32f);
+    const Image8 display(2, 2);
+    const FloatImage light(2, 2);
     for (const auto& path : {folder / "missing/a", folder / ""}) {
         for (const Result<void>& written :
              {write_png(path, display, false, {}), write_exr(path, light, false, {}),
@@ -26,11 +26,9 @@ TEST(WriteImage, RefusalNamesTheFile) {
     }
 }
 
-TEST(WriteImage, WrongFormatIsABug) {
+TEST(WriteImage, MissingPixelsAreABug) {
     const Folder folder;
-    const Image display = make_image(2, 2, PixelFormat::rgba8);
-    EXPECT_THROW((void)write_exr(folder / "a", display, false, {}), CheckFailure);
-    Image torn = display;
+    Image8 torn(2, 2);
     torn.pixels.pop_back();
     EXPECT_THROW((void)write_png(folder / "a", torn, false, {}), CheckFailure);
 }

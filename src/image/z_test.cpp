@@ -44,10 +44,11 @@ double two_sided_quantile(double p) {
 
 }  // namespace
 
-ZTest z_test(const Image& a, const Image& variance_a, const Image& b, const Image& variance_b) {
+ZTest z_test(const FloatImage& a, const FloatImage& variance_a, const FloatImage& b,
+             const FloatImage& variance_b) {
     const auto pa = color_planes(a), va = color_planes(variance_a);
     const auto pb = color_planes(b), vb = color_planes(variance_b);
-    for (const Image* other : {&variance_a, &b, &variance_b})
+    for (const FloatImage* other : {&variance_a, &b, &variance_b})
         HM_CHECK(other->width == a.width && other->height == a.height,
                  "{} x {} beside {} x {} pixels", other->width, other->height, a.width, a.height);
     const std::size_t columns = (a.width + kBlock - 1) / kBlock;

@@ -24,6 +24,7 @@ struct ZTest {
 // All rgba32f of one size. A variance is that of the pixel's mean, not of a sample. Blocks of 8 x 8
 // pixels, so that the variances' own noise averages out even where four replicates gave them.
 // Pixels with values that are not finite do not count.
-ZTest z_test(const Image& a, const Image& variance_a, const Image& b, const Image& variance_b);
+ZTest z_test(const FloatImage& a, const FloatImage& variance_a, const FloatImage& b,
+             const FloatImage& variance_b);
 
 }  // namespace hm

@@ -3,7 +3,6 @@
 #include <himalaya/scene.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "image/read.h"
 #include "library/errors.h"
@@ -103,12 +102,9 @@ std::uint32_t Scene::add_texture(const Texture& texture) {
         if (texture.rgba.size() != bytes)
             refuse(
                 fmt::format("the texture has {} bytes in place of {}", texture.rgba.size(), bytes));
-        hm::Image image;
-        image.width = texture.width;
-        image.height = texture.height;
-        image.format = hm::PixelFormat::rgba8;
-        image.pixels.resize(bytes);
-        std::memcpy(image.pixels.data(), texture.rgba.data(), bytes);
+        hm::Image8 image(texture.width, texture.height);
+        for (std::size_t i = 0; i < bytes; ++i)
+            image.pixels[i / 4][i % 4] = texture.rgba[i];
         impl_->scene.images.push_back(std::move(image));
         return std::uint32_t(impl_->scene.images.size() - 1);
     });

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
-#include <span>
 
 #include "scene/alias_table.h"
 #include "shading/math.h"
@@ -28,12 +26,13 @@ float cell_luminance(const std::vector<float>& lum, std::uint32_t w, std::uint32
 
 }  // namespace
 
-EnvironmentMap make_environment(const Image& image, float rotation, float intensity) {
+EnvironmentMap make_environment(const FloatImage& image, float rotation, float intensity) {
     EnvironmentMap map;
     const std::uint32_t w = image.width, h = image.height;
     map.data = {w, h, rotation / 360.0f, intensity};
-    map.texels.resize(std::size_t(w) * h);
-    std::memcpy(map.texels.data(), image.pixels.data(), map.texels.size() * sizeof(vec4));
+    map.texels.reserve(image.pixels.size());
+    for (const Rgba<float>& pixel : image.pixels)
+        map.texels.push_back(vec4(pixel[0], pixel[1], pixel[2], pixel[3]));
 
     std::vector<float> lum(map.texels.size());
     for (std::size_t i = 0; i < lum.size(); ++i)
@@ -57,9 +56,8 @@ EnvironmentMap make_environment(const Image& image, float rotation, float intens
     return map;
 }
 
-Image default_environment() {
-    Image image{128, 64, PixelFormat::rgba32f, {}};
-    std::vector<vec4> texels(std::size_t(image.width) * image.height);
+FloatImage default_environment() {
+    FloatImage image(128, 64);
     const vec3 key = normalize(vec3(0.55f, 0.75f, 0.65f));
     for (std::uint32_t y = 0; y < image.height; ++y)
         for (std::uint32_t x = 0; x < image.width; ++x) {
@@ -69,10 +67,8 @@ Image default_environment() {
             float sky = 0.35f + 0.45f * saturate(0.5f + 0.7f * d.y);
             float glow = 7.0f * std::exp(-(1.0f - dot(d, key)) * 14.0f);
             float value = sky + glow;
-            texels[std::size_t(y) * image.width + x] = vec4(value, value, value, 1);
+            image.pixels[std::size_t(y) * image.width + x] = {value, value, value, 1};
         }
-    std::span<const std::byte> bytes = std::as_bytes(std::span(texels));
-    image.pixels.assign(bytes.begin(), bytes.end());
     return image;
 }
 

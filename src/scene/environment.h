@@ -17,9 +17,9 @@ struct EnvironmentMap {
 
 // An equirectangular rgba32f picture, finite and not negative (image/read.h sees to that).
 // rotation in degrees; intensity scales the radiance. A map of no light at all has intensity 0.
-EnvironmentMap make_environment(const Image& image, float rotation, float intensity);
+EnvironmentMap make_environment(const FloatImage& image, float rotation, float intensity);
 
 // The neutral light a scene gets that has none of its own: a grey sky with a soft key light.
-Image default_environment();
+FloatImage default_environment();
 
 }  // namespace hm

@@ -29,9 +29,9 @@ void add_material(FlatScene& flat, const Material& m) {
 
 void flatten_materials(const Scene& scene, FlatScene& flat) {
     flat.images.push_back({kWhiteTexel, 1, 1, std::uint32_t(PixelFormat::rgba8)});
-    for (const Image& image : scene.images)
+    for (const TextureImage& image : scene.images)
         flat.images.push_back(
-            {image.pixels.data(), image.width, image.height, std::uint32_t(image.format)});
+            {image.bytes().data(), image.width(), image.height(), std::uint32_t(image.format())});
     flat.texture_uses.push_back({0, 0, 0, 0, 0, vec3(1, 0, 0), vec3(0, 1, 0)});
     for (const Material& m : scene.materials)
         add_material(flat, m);

@@ -118,7 +118,7 @@ struct Scene {
     std::vector<Node> nodes;  // of the chosen scene only
     std::vector<Mesh> meshes;
     std::vector<Material> materials;
-    std::vector<Image> images;  // rgba8 or rgba16, encoded as stored
+    std::vector<TextureImage> images;
     std::vector<Camera> cameras;
     std::vector<Light> lights;
     std::vector<Skin> skins;

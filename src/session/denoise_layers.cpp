@@ -7,7 +7,7 @@
 namespace hm {
 namespace {
 
-Result<Image> guide(const LayeredImage& picture, const char* name) {
+Result<FloatImage> guide(const LayeredImage& picture, const char* name) {
     if (const Layer* layer = picture.find(name)) return layer_image(picture, *layer);
     return tl::unexpected(Error{ErrorKind::invalid, "", "",
                                 fmt::format("has no layer \"{}\" to guide the denoiser", name),
@@ -43,8 +43,8 @@ Result<Denoised> denoise_layers(const Denoiser& denoiser, LayeredImage& picture,
                     "has no picture: channels R, G and B without a layer's name");
     const bool alpha = noisy->find("A") != nullptr;
     const ChannelType type = noisy->find("R")->type;
-    const Image beauty = layer_image(picture, *noisy);
-    Image albedo, normal;
+    const FloatImage beauty = layer_image(picture, *noisy);
+    FloatImage albedo, normal;
     if (!guidance.without) {
         HM_TRY_ASSIGN(albedo, guide(picture, "albedo"));
         HM_TRY_ASSIGN(normal, guide(picture, "normal"));

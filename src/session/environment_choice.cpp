@@ -27,7 +27,7 @@ Result<EnvironmentChoice> choose_environment(const LightSettings& light, const S
                                  "default", ""};
     const std::string file = light.environment_file.string();
     HM_TRY_ASSIGN(const ByteArray bytes, read_file(light.environment_file));
-    HM_TRY_ASSIGN(const Image image, read_environment_image(bytes, file));
+    HM_TRY_ASSIGN(const FloatImage image, read_environment_image(bytes, file));
     Hasher hash;
     hash.add(bytes);
     return EnvironmentChoice{

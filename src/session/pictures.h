@@ -14,7 +14,7 @@ namespace hm {
 
 // A picture with its layers, ready to be written.
 struct FinishedPicture {
-    Image picture;  // denoised if that was asked for, else the beauty
+    FloatImage picture;  // denoised if that was asked for, else the beauty
     LayeredImage layers;
     PictureOptions options;
     double denoise_seconds = 0;

@@ -172,14 +172,14 @@ TEST_F(Compare, LayersAreNamed) {
 
 TEST_F(Compare, KindsDoNotMix) {
     CompareOptions options = pair(picture(1), picture(1));
-    Image image = make_image(kWidth, kHeight, PixelFormat::rgba8);
+    Image8 image(kWidth, kHeight);
     ASSERT_TRUE(write_png(folder_ / "c.png", image, false, {}));
     options.reference = folder_ / "c.png";
     EXPECT_EQ(run(options), ExitCode::invalid);
     EXPECT_NE(error_.find("linear values, but"), std::string::npos) << error_;
     options.test = folder_ / "d.png";
-    for (std::size_t i = 0; i < kWidth * kHeight; ++i)
-        set_component<std::uint8_t>(image, i, 1, 51);
+    for (Rgba<std::uint8_t>& pixel : image.pixels)
+        pixel[1] = 51;
     ASSERT_TRUE(write_png(options.test, image, false, {}));
     EXPECT_EQ(run(options), ExitCode::ok);
     EXPECT_NEAR(double(layer()["psnr"]), -10 * std::log10(0.2 * 0.2 / 3), 1e-5);
@@ -193,17 +193,17 @@ TEST_F(Compare, TheErrorAsAPicture) {
     options.error_picture = folder_ / "error.exr";
     options.error_metric = ErrorMetric::rmse;
     ASSERT_EQ(run(options), ExitCode::ok);
-    const auto numbers = read_image(bytes_of_file(options.error_picture), "error.exr");
-    ASSERT_TRUE(numbers);
-    EXPECT_EQ(component<float>(*numbers, 0, 0), 0.25f);
-    EXPECT_TRUE(std::isnan(component<float>(*numbers, 1, 0)));
+    const FloatImage numbers = read_whole<float>(bytes_of_file(options.error_picture));
+    ASSERT_FALSE(numbers.pixels.empty());
+    EXPECT_EQ(numbers.pixels[0][0], 0.25f);
+    EXPECT_TRUE(std::isnan(numbers.pixels[1][0]));
     options.error_picture = folder_ / "error.png";
     options.error_metric = ErrorMetric::flip;
     ASSERT_EQ(run(options), ExitCode::ok);
-    const auto colors = read_image(bytes_of_file(options.error_picture), "error.png");
-    ASSERT_TRUE(colors);
-    EXPECT_EQ(component<std::uint8_t>(*colors, 1, 1), 255);  // green: not a number
-    EXPECT_GT(component<std::uint8_t>(*colors, 0, 0), 0);
+    const Image8 colors = read_whole<std::uint8_t>(bytes_of_file(options.error_picture));
+    ASSERT_FALSE(colors.pixels.empty());
+    EXPECT_EQ(colors.pixels[1][1], 255);  // green: NaN
+    EXPECT_GT(colors.pixels[0][0], 0);
 }
 
 TEST_F(Compare, VarianceLayersGiveAZTest) {

@@ -23,8 +23,8 @@ int threads_of(pid_t process) {
     return 0;
 }
 
-// The most threads that were seen at once: looked at each millisecond, while the picture alone takes
-// tens of milliseconds to compress.
+// The most threads that were seen at once: looked at each millisecond, while the picture alone
+// takes tens of milliseconds to compress.
 int most_threads(const fs::path& picture, const char* threads) {
     const pid_t child = ::fork();
     if (child == 0) {

@@ -28,13 +28,13 @@ fs::path tests_dir() {
     return fs::path(dir != nullptr ? dir : ".") / "tests";
 }
 
-Image load(const std::string& name) {
+FloatImage load(const std::string& name) {
     const fs::path path = tests_dir() / "reference/data" / (name + ".exr");
     const auto bytes = read_file(path);
     EXPECT_TRUE(bytes) << bytes.error().line();
     auto image = read_image(*bytes, name);
     EXPECT_TRUE(image) << image.error().line();
-    return std::move(*image);
+    return std::get<FloatImage>(std::move(*image));
 }
 
 void expect_equal(std::istringstream& line) {

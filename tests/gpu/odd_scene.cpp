@@ -1,7 +1,6 @@
 #include "gpu/odd_scene.h"
 
 #include <cmath>
-#include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/camera.h"
@@ -101,15 +100,12 @@ void add_degenerates(SceneBuilder& b, int material) {
 // A smooth ramp of 16 bits, read as colours.
 int add_deep_image(Scene& scene) {
     constexpr std::uint32_t kSize = 16;
-    Image image{kSize, kSize, PixelFormat::rgba16, {}};
-    std::vector<std::uint16_t> texels;
+    Image16 image(kSize, kSize);
     for (std::uint32_t y = 0; y < kSize; ++y)
         for (std::uint32_t x = 0; x < kSize; ++x) {
             const auto ramp = [](std::uint32_t i) { return std::uint16_t(1234 + 4001 * i); };
-            texels.insert(texels.end(), {ramp(x), ramp(y), ramp(kSize - 1 - x), 65535});
+            image.pixels[y * kSize + x] = {ramp(x), ramp(y), ramp(kSize - 1 - x), 65535};
         }
-    image.pixels.resize(texels.size() * sizeof(std::uint16_t));
-    std::memcpy(image.pixels.data(), texels.data(), image.pixels.size());
     scene.images.push_back(image);
     return int(scene.images.size()) - 1;
 }

@@ -34,7 +34,7 @@ CameraData camera_of(const Scene& scene, const Bounds& bounds) {
 
 // Expects both pictures of a scene file to be the same, and returns how many pixels still differ.
 // Nothing if it cannot be read: it is broken, or requires an unsupported extension.
-std::optional<std::size_t> expect_file_parity(const fs::path& file, const Image& sky,
+std::optional<std::size_t> expect_file_parity(const fs::path& file, const FloatImage& sky,
                                               float intensity) {
     Diagnostics diagnostics;
     const Result<Scene> scene = load_gltf(file, diagnostics);
@@ -45,10 +45,10 @@ std::optional<std::size_t> expect_file_parity(const fs::path& file, const Image&
                                     file.filename().string());
 }
 
-Image read_sky(const fs::path& file) {
+FloatImage read_sky(const fs::path& file) {
     const auto bytes = read_file(file);
     const auto image = bytes ? read_environment_image(*bytes, file.string())
-                             : Result<Image>(tl::unexpected(bytes.error()));
+                             : Result<FloatImage>(tl::unexpected(bytes.error()));
     return image ? *image : throw std::runtime_error(image.error().line());
 }
 
@@ -97,7 +97,7 @@ TEST(RendererParity, OddShapesAndPlacements) {
 TEST(RendererParity, ShippedScenes) {
     const fs::path scenes = source_folder() / "scenes";
     const std::size_t most = kPictureSize * kPictureSize / 1000;
-    const Image sky = default_environment();
+    const FloatImage sky = default_environment();
     EXPECT_LE(expect_file_parity(scenes / "cornell.glb", sky, 0).value(), most);
     EXPECT_LE(expect_file_parity(scenes / "spheres.glb", sky, 0.25f).value(), most);
     EXPECT_LE(expect_file_parity(scenes / "hero.glb", read_sky(scenes / "hero_sky.hdr"), 1).value(),
@@ -108,7 +108,7 @@ TEST(RendererParity, ShippedScenes) {
 TEST(RendererParity, Assets) {
     if (!fs::is_directory(assets_folder())) GTEST_SKIP() << assets_folder() << " is absent";
     const std::vector<fs::path> files = gltf_files(assets_folder());
-    const Image sky = default_environment();
+    const FloatImage sky = default_environment();
     std::size_t drawn = 0;
     for (const fs::path& file : files)
         drawn += expect_file_parity(file, sky, 1) ? 1u : 0u;

@@ -1,6 +1,6 @@
 // The scene of path_tracer.h's TestScene: a box of four by four by four metres, open to the front.
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
@@ -18,12 +18,14 @@ enum MaterialIndex { kRed, kChecked, kBumpy, kMetal, kMasked, kGlassy, kLamp, kS
 
 // Texels of the given function of (x, y) -> rgba.
 template <class Function>
-Image make_image(std::uint32_t size, Function texel) {
-    Image image{size, size, PixelFormat::rgba8, {}};
+Image8 make_image(std::uint32_t size, Function texel) {
+    Image8 image(size, size);
     for (std::uint32_t y = 0; y < size; ++y)
-        for (std::uint32_t x = 0; x < size; ++x)
-            for (const int channel : std::array<int, 4>(texel(x, y)))
-                image.pixels.push_back(static_cast<std::byte>(channel));
+        for (std::uint32_t x = 0; x < size; ++x) {
+            const std::array<int, 4> channels = texel(x, y);
+            std::copy(channels.begin(), channels.end(),
+                      image.pixels[std::size_t(y) * size + x].begin());
+        }
     return image;
 }
 
@@ -193,16 +195,13 @@ void add_lights(Scene& scene) {
 
 // A sky of bands with a sun of a few texels.
 EnvironmentMap sky() {
-    Image image{16, 8, PixelFormat::rgba32f, {}};
-    std::vector<vec4> texels;
+    FloatImage image(16, 8);
     for (std::uint32_t v = 0; v < 8; ++v)
         for (std::uint32_t u = 0; u < 16; ++u) {
             const float band = 0.3f + 0.05f * float(v) + 0.03f * float(u % 3);
             const float sun = v == 2 && (u == 3 || u == 4) ? 12.0f : 0.0f;
-            texels.emplace_back(band + sun, band + 0.8f * sun, 1.3f * band, 1);
+            image.pixels[v * 16 + u] = {band + sun, band + 0.8f * sun, 1.3f * band, 1};
         }
-    image.pixels.resize(texels.size() * sizeof(vec4));
-    std::memcpy(image.pixels.data(), texels.data(), image.pixels.size());
     return make_environment(image, 35, 0.8f);
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "support/statistics.h"
 
@@ -139,18 +138,15 @@ Comparison compare(const Estimate& ours, const Estimate& reference) {
     return c;
 }
 
-Image difference_image(const Estimate& ours, const Estimate& reference, bool in_errors) {
-    Image image{ours.width, ours.height, PixelFormat::rgba32f, {}};
-    std::vector<float> values;
+FloatImage difference_image(const Estimate& ours, const Estimate& reference, bool in_errors) {
+    FloatImage image(ours.width, ours.height);
     for (std::size_t i = 0; i < ours.mean.size(); ++i) {
         Total total;
         total.add(ours, reference, i);
         const double unit = in_errors ? std::max(total.error(), 1e-30) : 1;
-        values.push_back(float((total.ours - total.reference) / unit));
-        if (i % 3 == 2) values.push_back(1);
+        image.pixels[i / 3][i % 3] = float((total.ours - total.reference) / unit);
+        image.pixels[i / 3][3] = 1;
     }
-    image.pixels.resize(values.size() * sizeof(float));
-    std::memcpy(image.pixels.data(), values.data(), image.pixels.size());
     return image;
 }
 

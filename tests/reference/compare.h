@@ -41,6 +41,6 @@ struct Comparison {
 Comparison compare(const Estimate& ours, const Estimate& reference);
 
 // ours - reference, and the same in standard errors.
-Image difference_image(const Estimate& ours, const Estimate& reference, bool in_errors);
+FloatImage difference_image(const Estimate& ours, const Estimate& reference, bool in_errors);
 
 }  // namespace hm::test

@@ -5,7 +5,6 @@
 #include <simdjson.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 #include "base/files.h"
@@ -34,15 +33,13 @@ std::vector<double> read_values(const std::string& name) {
     const std::filesystem::path path = data_folder() / (name + ".exr");
     const Result<ByteArray> bytes = read_file(path);
     if (!bytes) throw std::runtime_error(path.string() + " can't be read");
-    const Result<Image> image = read_image(*bytes, path.string());
-    if (!image || image->format != PixelFormat::rgba32f || image->width != kReferenceWidth ||
-        image->height != kReferenceHeight)
+    const Result<AnyImage> read = read_image(*bytes, path.string());
+    const FloatImage* image = read ? std::get_if<FloatImage>(&*read) : nullptr;
+    if (!image || image->width != kReferenceWidth || image->height != kReferenceHeight)
         throw std::runtime_error(path.string() + " is not a stored reference");
-    std::vector<float> rgba(image->pixels.size() / sizeof(float));
-    std::memcpy(rgba.data(), image->pixels.data(), image->pixels.size());
     std::vector<double> values;
-    for (std::size_t i = 0; i < rgba.size(); ++i)
-        if (i % 4 != 3) values.push_back(double(rgba[i]));
+    for (const Rgba<float>& pixel : image->pixels)
+        values.insert(values.end(), pixel.begin(), pixel.begin() + 3);
     return values;
 }
 

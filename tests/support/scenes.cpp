@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
-#include <span>
 
 namespace hm::test {
 namespace {
 
-std::byte to_byte(float x) {
-    return std::byte(std::lround(std::clamp(x, 0.0f, 1.0f) * 255));
+std::uint8_t to_byte(float x) {
+    return std::uint8_t(std::lround(std::clamp(x, 0.0f, 1.0f) * 255));
 }
 
 Vertex vertex(vec3 position, vec3 normal, vec2 uv) {
@@ -42,10 +40,10 @@ int SceneBuilder::material(const Material& m) {
 
 int SceneBuilder::image(std::uint32_t width, std::uint32_t height,
                         const std::vector<vec4>& texels) {
-    Image image{width, height, PixelFormat::rgba8, {}};
-    for (const vec4& t : texels)
+    Image8 image(width, height);
+    for (std::size_t i = 0; i < texels.size(); ++i)
         for (std::size_t k = 0; k < 4; ++k)
-            image.pixels.push_back(to_byte(t[k]));
+            image.pixels[i][k] = to_byte(texels[i][k]);
     scene.images.push_back(std::move(image));
     return int(scene.images.size()) - 1;
 }
@@ -125,13 +123,12 @@ int add_cube(SceneBuilder& builder, bool inwards, int material) {
     return builder.mesh(std::move(sides));
 }
 
-Image environment_image(std::uint32_t width, std::uint32_t height,
-                        const std::vector<vec3>& texels) {
-    std::vector<vec4> padded;
-    for (const vec3& t : texels)
-        padded.push_back(vec4(t, 1));
-    std::span<const std::byte> bytes = std::as_bytes(std::span(padded));
-    return {width, height, PixelFormat::rgba32f, {bytes.begin(), bytes.end()}};
+FloatImage environment_image(std::uint32_t width, std::uint32_t height,
+                             const std::vector<vec3>& texels) {
+    FloatImage image(width, height);
+    for (std::size_t i = 0; i < texels.size(); ++i)
+        image.pixels[i] = {texels[i].x, texels[i].y, texels[i].z, 1};
+    return image;
 }
 
 EnvironmentMap constant_environment(vec3 radiance) {

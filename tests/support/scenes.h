@@ -38,7 +38,8 @@ class SceneBuilder {
 int add_cube(SceneBuilder& builder, bool inwards, int material);
 
 // An rgba32f map; the same radiance all around for 1 x 1.
-Image environment_image(std::uint32_t width, std::uint32_t height, const std::vector<vec3>& texels);
+FloatImage environment_image(std::uint32_t width, std::uint32_t height,
+                             const std::vector<vec3>& texels);
 EnvironmentMap constant_environment(vec3 radiance);
 
 // Flattens and expects no warning.

@@ -20,7 +20,7 @@ namespace hm::cli {
 namespace {
 
 Result<void> write_one(const std::filesystem::path& path, const DenoiseOptions& options,
-                       const LayeredImage& picture, const Image& denoised) {
+                       const LayeredImage& picture, const FloatImage& denoised) {
     const PictureWindow& data = picture.data;
     const float exposure = options.exposure ? *options.exposure : auto_exposure(denoised);
     // Dither follows the whole picture, whose pixels may start at a negative number.

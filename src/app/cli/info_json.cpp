@@ -145,9 +145,9 @@ void write_materials(JsonWriter& json, const Scene& scene) {
 
 void write_images(JsonWriter& json, const Scene& scene) {
     const auto roles = image_roles(scene);
-    write_list(json, "images", scene.images, [&](std::size_t i, const Image& image) {
-        json.field("width", image.width).field("height", image.height);
-        json.field("format", format_name(image.format)).field("bytes", image.pixels.size());
+    write_list(json, "images", scene.images, [&](std::size_t i, const TextureImage& image) {
+        json.field("width", image.width()).field("height", image.height());
+        json.field("format", format_name(image.format())).field("bytes", image.bytes().size());
         write_strings(json, "roles", roles[i]);
     });
 }

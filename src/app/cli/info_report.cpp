@@ -93,8 +93,8 @@ InfoTotals totals(const InfoReport& report) {
     }
     t.instances = report.flat->instances.size();
     t.emissive_triangles = report.flat->emitters.size();
-    for (const Image& image : report.scene->images)
-        t.image_bytes += image.pixels.size();
+    for (const TextureImage& image : report.scene->images)
+        t.image_bytes += image.bytes().size();
     return t;
 }
 
@@ -133,9 +133,7 @@ std::string_view light_kind_name(std::uint32_t kind) {
 }
 
 std::string_view format_name(PixelFormat format) {
-    return format == PixelFormat::rgba8    ? "rgba8"
-           : format == PixelFormat::rgba16 ? "rgba16"
-                                           : "rgba32f";
+    return format == PixelFormat::rgba8 ? "rgba8" : "rgba16";
 }
 
 }  // namespace hm::cli

@@ -166,9 +166,10 @@ void describe_materials(Lines& out, const Scene& scene) {
 
 void describe_images(Lines& out, const Scene& scene) {
     const auto roles = image_roles(scene);
-    out.section("Images", scene.images, [&](std::size_t i, const Image& image) {
-        std::string text = fmt::format("{}: {} x {} {}, {}:", i, image.width, image.height,
-                                       format_name(image.format), size_text(image.pixels.size()));
+    out.section("Images", scene.images, [&](std::size_t i, const TextureImage& image) {
+        std::string text =
+            fmt::format("{}: {} x {} {}, {}:", i, image.width(), image.height(),
+                        format_name(image.format()), size_text(image.bytes().size()));
         for (std::size_t k = 0; k < roles[i].size(); ++k)
             text.append(k == 0 ? " " : ", ").append(roles[i][k]);
         return text;

@@ -1,7 +1,7 @@
 #include "app/cli/measure.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
@@ -60,25 +60,23 @@ ImageError stored_error(const Channels& channels, const Mask& finite) {
 }
 
 // Black in place of NaN and infinity, so that filters work.
-Image color_image(const LayeredImage& file, const Layer& layer, const Mask& finite) {
-    Image image = layer_image(file, layer);
+FloatImage color_image(const LayeredImage& file, const Layer& layer, const Mask& finite) {
+    FloatImage image = layer_image(file, layer);
     for (std::size_t i = 0; i < finite.size(); ++i)
-        if (!finite[i]) std::memset(&image.pixels[i * 16], 0, 12);
+        if (!finite[i]) std::fill_n(image.pixels[i].begin(), 3, 0.0f);
     return image;
 }
 
 template <class Convert>
-Image converted(Image image, Convert convert) {
-    for (std::size_t at = 0; at < image.pixels.size(); at += 16) {
-        vec3 color;
-        std::memcpy(&color, &image.pixels[at], 12);
-        color = convert(color);
-        std::memcpy(&image.pixels[at], &color, 12);
+FloatImage converted(FloatImage image, Convert convert) {
+    for (Rgba<float>& pixel : image.pixels) {
+        const vec3 color = convert(vec3(pixel[0], pixel[1], pixel[2]));
+        pixel = {color.x, color.y, color.z, pixel[3]};
     }
     return image;
 }
 
-Plane luma(const Image& image) {
+Plane luma(const FloatImage& image) {
     const auto planes = color_planes(image);
     Plane out(image.width, image.height);
     for (std::size_t i = 0; i < out.values.size(); ++i)
@@ -103,8 +101,8 @@ vec3 decoded(vec3 c) {
 
 void measure_colors(const LayerPair& pair, const Mask& finite, std::optional<ErrorMetric> picture,
                     LayerError& error) {
-    const Image a = color_image(pair.test_file, pair.test, finite);
-    const Image b = color_image(pair.reference_file, pair.reference, finite);
+    const FloatImage a = color_image(pair.test_file, pair.test, finite);
+    const FloatImage b = color_image(pair.reference_file, pair.reference, finite);
     Plane flip;
     if (pair.encoded) {
         flip = ldr_flip(converted(b, decoded), converted(a, decoded));
@@ -114,7 +112,7 @@ void measure_colors(const LayerPair& pair, const Mask& finite, std::optional<Err
     }
     error.flip = mean_where(flip, finite);
 
-    Image shown_a = a, shown_b = b;
+    FloatImage shown_a = a, shown_b = b;
     if (!pair.encoded) {
         error.display_exposure = double(auto_exposure(b));
         const float scale = float(std::exp2(error.display_exposure));
@@ -158,8 +156,8 @@ LayerError measure(const LayerPair& pair, std::optional<ErrorMetric> picture) {
         measure_colors(pair, finite, picture, error);
     }
     if (picture == ErrorMetric::rmse || picture == ErrorMetric::relmse) {
-        const Image a = layer_image(pair.test_file, pair.test);
-        const Image b = layer_image(pair.reference_file, pair.reference);
+        const FloatImage a = layer_image(pair.test_file, pair.test);
+        const FloatImage b = layer_image(pair.reference_file, pair.reference);
         error.picture =
             picture == ErrorMetric::rmse ? absolute_error(a, b) : relative_squared_error(a, b);
     }
