@@ -7,20 +7,22 @@
 
 HM_NAMESPACE_BEGIN
 
-HM_FN float offset_coordinate(float p, float n) {
-    // Near the origin the spacing of floats is finer than the rounding error of the transform: move
-    // by a fixed 2^-16 there, otherwise by up to 256 units in the last place.
-    if (abs(p) < 1.0f / 32.0f) return p + n * (1.0f / 65536.0f);
-    int steps = int(256.0f * n);
-    uint bits = float_bits(p);
-    return bits_float(p < 0.0f ? bits - uint(steps) : bits + uint(steps));
-}
+// How far rounding may move a hit off the plane of its triangle, and a traversal's triangle off that
+// plane, along the unit normal n (Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th
+// edition, 6.8). In units of 2^-24:
+// - what scales with the coordinates of p, per axis and in both spaces: interpolation 5, transforming
+//   the point, the tree's vertices and the ray's origin 4 each, rounding the matrices 2, adding the
+//   offset 1;
+// - what scales with the triangle, in any direction, because the watertight test (Woop, Benthin and
+//   Wald 2013) shears x and y by z: subtraction and shear 4 each for two axes. GPUs get twice that.
+// `extent` is the longest side of the triangle along an axis. Nothing here has a unit: a scene may be
+// of any size.
+HM_CONST float kRoundoff = 1.0f / 16777216.0f;
+HM_CONST float kCoordinateError = 20.0f * kRoundoff;
+HM_CONST float kExtentError = 16.0f * kRoundoff;
 
-// Moves a point off its surface along the unit normal n (Wächter and Binder, "A Fast and Robust
-// Method for Avoiding Self-Intersection", Ray Tracing Gems 2019).
-HM_FN vec3 offset_ray_origin(vec3 p, vec3 n) {
-    return vec3(offset_coordinate(p.x, n.x), offset_coordinate(p.y, n.y),
-                offset_coordinate(p.z, n.z));
+HM_FN float hit_error(vec3 coordinates, float extent, vec3 n) {
+    return kCoordinateError * dot(abs(n), coordinates) + kExtentError * extent;
 }
 
 // The mirror direction of wo about the bent normal rises at least this far over the surface (sine).

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/statistics.h"
@@ -22,49 +23,26 @@ double dot_double(vec3 a, vec3 b) {
     return double(a.x) * double(b.x) + double(a.y) * double(b.y) + double(a.z) * double(b.z);
 }
 
-TEST(Geometry, OffsetLeavesToTheNormalsSide) {
-    test::Random random(21);
-    for (int exponent = -6; exponent <= 6; ++exponent)
-        for (int i = 0; i < 20000; ++i) {
-            float size = std::pow(10.0f, float(exponent));
-            vec3 p =
-                size * vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-            vec3 n = random_direction(random);
-            vec3 moved = offset_ray_origin(p, n) - p;
-            // Never against the normal, at least a few units in the last place of the largest
-            // coordinate, and never farther than is needed.
-            float largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-            EXPECT_GT(dot_double(moved, n), 0.0);
-            float unit = std::max(largest * 0x1p-24f, 0x1p-24f);
-            EXPECT_LT(length(moved), 700 * unit);
-            for (std::size_t k = 0; k < 3; ++k)
-                EXPECT_GE(moved[k] * n[k], 0.0f);
-        }
-}
-
-TEST(Geometry, OffsetNearTheOriginIsFixed) {
-    // Where a coordinate is small its own precision says nothing of what made it: a transform of
-    // metres rounds to 2^-24 m and more.
-    test::Random random(24);
-    for (int i = 0; i < 20000; ++i) {
-        vec3 p = std::exp2(random.between(-30, -6)) * random_direction(random);
-        vec3 n = random_direction(random);
-        EXPECT_LT(length(offset_ray_origin(p, n) - p - n * 0x1p-16f), 1e-8f);
-    }
-}
-
-TEST(Geometry, OffsetClearsThePlaneOfATriangleFarFromTheOrigin) {
+// A point interpolated on a triangle leaves the triangle's plane by its error, wherever the triangle
+// is and whatever its size; and the error is no larger than rounding explains.
+TEST(Geometry, HitErrorClearsThePlaneAtEverySizeAndDistance) {
     test::Random random(22);
-    for (int i = 0; i < 20000; ++i) {
-        vec3 center = 100.0f * random_direction(random);
-        vec3 e1 = random_direction(random), e2 = random_direction(random);
-        vec3 n = cross(e1, e2);
-        if (length(n) < 0.2f) continue;
-        n = normalize(n);
-        float u = random.unit(), v = random.unit() * (1 - u);
-        vec3 q = center * (1 - u - v) + (center + e1) * u + (center + e2) * v;
-        EXPECT_GT(dot_double(offset_ray_origin(q, n) - center, n), 0.0);
-        EXPECT_LT(dot_double(offset_ray_origin(q, -n) - center, n), 0.0);
+    for (int i = 0; i < 200000; ++i) {
+        const float size = std::pow(10.0f, random.between(-6, 9));
+        const float distance = size * std::pow(10.0f, random.between(-3, 4));
+        const vec3 center = distance * random_direction(random);
+        const vec3 b = center + size * random_direction(random);
+        const vec3 c = center + size * random_direction(random);
+        const vec3 normal = cross(b - center, c - center);
+        if (length(normal) < 0.2f * size * size) continue;
+        const vec3 n = normalize(normal);
+        const float u = random.unit(), v = random.unit() * (1 - u);
+        const vec3 q = center * (1 - u - v) + b * u + c * v;
+        const float extent = 2 * size;
+        const float error = hit_error(abs(q), extent, n);
+        EXPECT_GT(dot_double(q + n * error - center, n), 0.0);
+        EXPECT_LT(dot_double(q - n * error - center, n), 0.0);
+        EXPECT_LT(error, 0x1p-24f * (35 * distance + 36 * 2 * size));
     }
 }
 

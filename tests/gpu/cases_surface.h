@@ -73,7 +73,7 @@ HM_FN void run_light(uint index, HM_INOUT(CaseResult) result) {
 HM_FN void run_geometry(uint index, HM_INOUT(CaseResult) result) {
     vec3 p = case_between(index, 40u, 0.0f, 10.0f) * case_direction(index, 41u);
     vec3 ng = case_upper_direction(index, 42u);
-    vec3 offset = offset_ray_origin(p, ng);
+    vec3 offset = p + ng * hit_error(abs(p), case_between(index, 44u, 0.0f, 10.0f), ng);
     result.values[17] = offset.x;
     result.values[18] = offset.y;
     result.values[19] = offset.z;

@@ -28,7 +28,7 @@ HM_FN void sample_punctual(HM_IN(LightData) light, vec3 p, HM_OUT(PunctualSample
         return;
     }
     vec3 to_light = light.position - p;
-    float distance_squared = max(dot(to_light, to_light), 1e-12f);
+    float distance_squared = max(dot(to_light, to_light), 1e-36f);
     s.distance = sqrt(distance_squared);
     s.wi = to_light * divide(1.0f, s.distance);
     float attenuation = punctual_falloff(distance_squared, light.range);
