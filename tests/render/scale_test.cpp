@@ -1,0 +1,165 @@
+// Floors, gaps and lamps of any size and at any distance from the origin, against closed forms:
+// what a ray that leaves its surface by too little (it hits the surface again: acne) or by too much
+// (it misses what touches the surface) would break. No expected value depends on the size.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "scene/camera.h"
+#include "support/pictures.h"
+
+namespace hm {
+namespace {
+
+using test::SceneBuilder;
+using test::Shot;
+using test::Studio;
+
+const vec3 kAlbedo(0.8f, 0.5f, 0.2f);
+
+enum class How { vertices, translated, scaled, instanced };
+
+// A square floor through `center` with half sides of `size`, tilted about z; what makes it so large
+// and so far away is either its vertices or its node, and if instanced, a second copy far below
+// keeps it in a tree of its own.
+struct Floor {
+    float size = 1;
+    vec3 center{0};
+    float tilt = 0;
+    How how = How::vertices;
+
+    vec3 x() const { return vec3(std::cos(tilt), std::sin(tilt), 0); }
+    vec3 normal() const { return vec3(-std::sin(tilt), std::cos(tilt), 0); }
+
+    void add(SceneBuilder& b) const {
+        const float s = how == How::vertices || how == How::translated ? size : 1.0f;
+        const vec3 middle = how == How::vertices ? center : vec3(0);
+        const vec3 z(0, 0, -1);
+        const int mesh = b.quad(middle - x() * s - z * s, x() * (2 * s), z * (2 * s),
+                                b.material(test::lambertian(kAlbedo)));
+        glm::mat4 place(1);
+        if (how != How::vertices) place = glm::translate(place, center);
+        if (how == How::scaled || how == How::instanced) place = glm::scale(place, vec3(size));
+        b.place(mesh, place);
+        if (how == How::instanced)
+            b.place(mesh, glm::translate(glm::mat4(1), normal() * (-100 * size)) * place);
+    }
+
+    // Sees the middle of the floor from above, at an angle, with pixels of a hundredth of it.
+    CameraData camera() const {
+        CameraData c = camera_look_at(center + (normal() * 0.8f + x() * 0.3f) * size, center,
+                                      vec3(0, 0, -1), 1, 1);
+        c.kind = kCameraOrthographic;
+        c.half_width = c.half_height = 0.3f * size;
+        return c;
+    }
+};
+
+std::string describe(const Floor& f) {
+    return "size " + std::to_string(f.size) + ", center " + std::to_string(f.center.x) + " " +
+           std::to_string(f.center.y) + ", tilt " + std::to_string(f.tilt) + ", how " +
+           std::to_string(int(f.how));
+}
+
+// Sizes from 1e-6 to 1e9, each at the origin, some of its size away and as far away as leaves
+// floats a resolution of a thousandth of it; nothing farther than 1e7 unless it is larger itself.
+template <class F>
+void for_all_floors(const F& test) {
+    for (float size : {1e-6f, 1e-3f, 1.0f, 50.0f, 1e3f, 1e6f, 1e9f})
+        for (float away : {0.0f, 0.05f, 30.0f, 5000.0f})
+            for (float tilt : {0.0f, 0.3f, -1.2f})
+                for (How how : {How::vertices, How::translated, How::scaled, How::instanced})
+                    test(Floor{size, vec3(0.7f, 1, -0.4f) * (away * size), tilt, how});
+}
+
+// The sun's light arrives undiminished, down to three degrees over the floor.
+TEST(Scale, AFloorUnderTheSunDoesNotShadowItself) {
+    for_all_floors([](const Floor& floor) {
+        for (float elevation : {1.5f, 0.3f, 0.05f}) {
+            SceneBuilder b;
+            floor.add(b);
+            Light sun;
+            sun.kind = kLightDirectional;
+            sun.intensity = 4;
+            // Rays travel along the light's -z: down the floor's normal, turned towards its x axis.
+            const vec3 z = floor.normal() * std::sin(elevation) + floor.x() * std::cos(elevation);
+            const vec3 x(0, 0, -1);
+            b.light(sun, glm::mat4(vec4(x, 0), vec4(cross(z, x), 0), vec4(z, 0), vec4(0, 0, 0, 1)));
+            Studio studio(b.scene);
+            const vec3 right = kAlbedo * (4 * std::sin(elevation) / std::numbers::pi_v<float>);
+            for (const vec3& p : studio.render(floor.camera(), {.samples = 4}).pixels)
+                ASSERT_LT(length(p - right), 1e-3f * length(right))
+                    << describe(floor) << ", elevation " << elevation << ": " << p.x
+                    << " instead of " << right.x;
+        }
+    });
+}
+
+// Under an even sky each direction that the BSDF samples brings the same light, unless the floor
+// stands in its way.
+TEST(Scale, AFloorUnderTheSkyDoesNotShadowItself) {
+    for_all_floors([](const Floor& floor) {
+        SceneBuilder b;
+        floor.add(b);
+        Studio studio(b.scene, test::constant_environment(vec3(1)));
+        const Shot shot{.samples = 16, .strategy = kStrategyBsdf};
+        for (const vec3& p : studio.render(floor.camera(), shot).pixels)
+            ASSERT_LT(length(p - kAlbedo), 1e-3f * length(kAlbedo))
+                << describe(floor) << ": " << p.x << " instead of " << kAlbedo.x;
+    });
+}
+
+// A plate that floats a thousandth of its size over the floor keeps all light from below its
+// middle.
+TEST(Scale, AThinGapIsDark) {
+    for (float size : {1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f, 1e9f})
+        for (float away : {0.0f, 0.05f, 30.0f})
+            for (float tilt : {0.0f, 0.3f, -1.2f}) {
+                const Floor floor{size, vec3(0.7f, 1, -0.4f) * (away * size), tilt};
+                const float gap = 1e-3f * size;
+                SceneBuilder b;
+                floor.add(b);
+                Floor plate = floor;
+                plate.center = floor.center + floor.normal() * gap;
+                plate.add(b);
+                Studio studio(b.scene, test::constant_environment(vec3(1)));
+                CameraData camera = camera_look_at(floor.center + floor.normal() * size,
+                                                   floor.center, vec3(0, 0, -1), 1, 1);
+                camera.kind = kCameraOrthographic;
+                camera.half_width = camera.half_height = 0.3f * size;
+                camera.origin = floor.center + floor.normal() * (0.5f * gap);
+                const Shot shot{.samples = 16, .strategy = kStrategyBsdf};
+                for (const vec3& p : studio.render(camera, shot).pixels)
+                    ASSERT_EQ(p.x, 0.0f) << describe(floor);
+            }
+}
+
+// A lamp over a floor and a box upon it: no length is special, so a scene that is 2^20 times as
+// large or as small gives the very same picture.
+TEST(Scale, PowersOfTwoGiveTheSamePicture) {
+    const auto render = [](float size) {
+        SceneBuilder b;
+        Floor{.size = size}.add(b);
+        const glm::mat4 box = glm::translate(glm::mat4(1), vec3(0.2f, 0.1f, 0) * size);
+        b.place(test::add_cube(b, false, b.material(test::lambertian(vec3(0.5f)))),
+                glm::scale(box, vec3(0.1f * size)));
+        b.place(b.quad(vec3(-0.2f, 1, -0.2f) * size, vec3(0.4f, 0, 0) * size,
+                       vec3(0, 0, 0.4f) * size, b.material(test::emitter(vec3(3)))));
+        Studio studio(b.scene);
+        CameraData camera =
+            camera_look_at(vec3(0.3f, 0.5f, 1) * size, vec3(0), vec3(0, 1, 0), 1, 1);
+        return studio.render(camera, {.width = 16, .height = 16, .samples = 16, .bounces = 4});
+    };
+    const test::Picture unit = render(1);
+    EXPECT_GT(unit.mean().x, 0.01f);
+    for (float size : {0x1p-20f, 0x1p20f}) {
+        const test::Picture other = render(size);
+        for (std::size_t i = 0; i < unit.pixels.size(); ++i)
+            ASSERT_EQ(unit.pixels[i], other.pixels[i]) << "size " << size << ", pixel " << i;
+    }
+}
+
+}  // namespace
+}  // namespace hm
