@@ -25,7 +25,7 @@ packages="libglm-dev libsimdjson-dev libsimdjson14 libopenexr-dev libopenexr-3-1
     libimath-3-1-29 libspng-dev libspng0 libjpeg62-turbo-dev libjpeg62-turbo zlib1g-dev zlib1g
     libtbb-dev libtbb12 libtbbbind-2-5 libtbbmalloc2 libxxhash-dev libxxhash0 libcli11-dev
     libfmt-dev libfmt9 libexpected-dev libvulkan-dev libvulkan1 libvulkan-volk-dev glslang-tools
-    spirv-tools pkg-config pkgconf pkgconf-bin libpkgconf3"
+    spirv-tools spirv-headers pkg-config pkgconf pkgconf-bin libpkgconf3"
 # shellcheck disable=SC2086  # one word per package
 dpkg-query -L $packages | sort -u | while read -r path; do
     case $path in
@@ -63,7 +63,7 @@ export PKG_CONFIG_LIBDIR=$deps/lib/$machine/pkgconfig:$deps/share/pkgconfig
 export PKG_CONFIG_SYSROOT_DIR=$kit/deps
 
 # Another compiler warns of other things, which is no reason not to build.
-cmake -S "$kit/source" -B "$kit/build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+cmake -S "$kit/source" -B "$kit/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DHIMALAYA_TESTS=OFF -DHIMALAYA_BENCH=OFF -DHIMALAYA_WARNINGS_AS_ERRORS=OFF \
     -DHIMALAYA_VULKAN=ON -DCMAKE_PREFIX_PATH="$deps" -DCMAKE_LIBRARY_ARCHITECTURE=$machine \
     -DCMAKE_CXX_FLAGS="-isystem $deps/include -isystem $deps/include/$machine" \
