@@ -9,10 +9,16 @@ option(HIMALAYA_WARNINGS_AS_ERRORS "Fail where the compiler warns" ON)
 # Off, a build shows whether every file includes what it uses.
 option(HIMALAYA_PRECOMPILED_HEADER "Parse the standard library, fmt and glm once for all files" ON)
 
-# himalaya_compile(TARGET [NO_PRECOMPILED_HEADER])
-# The header is for targets with the common flags and with himalaya_base among what they link.
+# himalaya_compile(TARGET [NO_PRECOMPILED_HEADER] [PRECOMPILE headers...])
+# All targets with the common flags share one precompiled header; PRECOMPILE gives a target one of its
+# own with more in it.
+set(precompiled
+  <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
+  <string> <string_view> <unordered_map> <utility> <vector>
+  <fmt/format.h> <glm/glm.hpp> <glm/mat4x3.hpp> <tl/expected.hpp>)
+
 function(himalaya_compile target)
-  cmake_parse_arguments(C "NO_PRECOMPILED_HEADER" "" "" ${ARGN})
+  cmake_parse_arguments(C "NO_PRECOMPILED_HEADER" "" "PRECOMPILE" ${ARGN})
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_compile_definitions(${target} PRIVATE GLM_FORCE_XYZW_ONLY GLM_FORCE_SIZE_T_LENGTH)
   target_compile_options(${target} PRIVATE
@@ -24,7 +30,11 @@ function(himalaya_compile target)
     # Of programs too, rather than -fPIE: one precompiled header serves all.
     -fPIC)
   if(HIMALAYA_PRECOMPILED_HEADER AND NOT C_NO_PRECOMPILED_HEADER)
-    target_precompile_headers(${target} REUSE_FROM himalaya_precompiled)
+    if(C_PRECOMPILE)
+      target_precompile_headers(${target} PRIVATE ${precompiled} ${C_PRECOMPILE})
+    else()
+      target_precompile_headers(${target} REUSE_FROM himalaya_precompiled)
+    endif()
     target_link_libraries(${target} PRIVATE fmt::fmt tl::expected glm::glm)
     # Without the first ccache can't tell what a file includes. The others are GCC 12's false alarms
     # about std::string, which it takes for ours when it comes out of a precompiled header.
@@ -37,8 +47,5 @@ if(HIMALAYA_PRECOMPILED_HEADER)
   add_library(himalaya_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
   himalaya_compile(himalaya_precompiled NO_PRECOMPILED_HEADER)
   target_link_libraries(himalaya_precompiled PRIVATE fmt::fmt tl::expected glm::glm)
-  target_precompile_headers(himalaya_precompiled PRIVATE
-    <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
-    <string> <string_view> <unordered_map> <utility> <vector>
-    <fmt/format.h> <glm/glm.hpp> <glm/mat4x3.hpp> <tl/expected.hpp>)
+  target_precompile_headers(himalaya_precompiled PRIVATE ${precompiled})
 endif()

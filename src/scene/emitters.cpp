@@ -101,7 +101,13 @@ void add_emitters(FlatScene& flat) {
                 e.instance = i;
                 e.geometry = g - instance.first_geometry;
                 e.primitive = p;
-                float area = 0.5f * length(cross(e.p1 - e.p0, e.p2 - e.p0));
+                const vec3 edge1 = e.p1 - e.p0, edge2 = e.p2 - e.p0;
+                const vec3 scaled_normal = cross(edge1, edge2);
+                const float area = 0.5f * length(scaled_normal);
+                const vec3 farthest = max(max(abs(e.p0), abs(e.p1)), abs(e.p2));
+                if (area > 0)
+                    e.error = hit_error(transform_magnitude(instance, farthest),
+                                        triangle_extent(edge1, edge2), scaled_normal / (2 * area));
                 float power = area * sides * std::numbers::pi_v<float> * reader.mean(m, view, p);
                 power = power > 0 ? std::min(power, kMaxLightPower) : 0.0f;
                 powers.push_back(power);

@@ -3,23 +3,39 @@
 #ifndef HM_SHADING_GEOMETRY_H
 #define HM_SHADING_GEOMETRY_H
 
-#include "shading/lang.h"
+#include "shading/math.h"
+#include "shading/structs.h"
 
 HM_NAMESPACE_BEGIN
 
-// How far rounding may move a hit off the plane of its triangle, and a traversal's triangle off that
-// plane, along the unit normal n (Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th
-// edition, 6.8). In units of 2^-24:
-// - what scales with the coordinates of p, per axis and in both spaces: interpolation 5, transforming
+// How far rounding may move a hit off the plane of its triangle, and a traversal's triangle off
+// that plane, along the unit normal n (Pharr, Jakob and Humphreys, "Physically Based Rendering",
+// 4th edition, 6.8). In units of 2^-24:
+// - what scales with the coordinates of p, per axis and in both spaces: interpolation 5,
+// transforming
 //   the point, the tree's vertices and the ray's origin 4 each, rounding the matrices 2, adding the
 //   offset 1;
 // - what scales with the triangle, in any direction, because the watertight test (Woop, Benthin and
 //   Wald 2013) shears x and y by z: subtraction and shear 4 each for two axes. GPUs get twice that.
-// `extent` is the longest side of the triangle along an axis. Nothing here has a unit: a scene may be
-// of any size.
+// `extent` is the longest side of the triangle along an axis. Nothing here has a unit: a scene may
+// be of any size.
 HM_CONST float kRoundoff = 1.0f / 16777216.0f;
 HM_CONST float kCoordinateError = 20.0f * kRoundoff;
 HM_CONST float kExtentError = 16.0f * kRoundoff;
+
+// The largest terms that meet while a point of these absolute coordinates is taken to object space
+// and back: what rounding scales with.
+HM_FN vec3 transform_magnitude(HM_IN(InstanceData) instance, vec3 p) {
+    HM_ROW(mat4x3) w = instance.world_to_object;
+    vec3 local = abs(w[0]) * p.x + abs(w[1]) * p.y + abs(w[2]) * p.z + abs(w[3]);
+    HM_ROW(mat4x3) m = instance.object_to_world;
+    return abs(m[0]) * local.x + abs(m[1]) * local.y + abs(m[2]) * local.z + abs(m[3]);
+}
+
+// The longest side of a triangle along an axis.
+HM_FN float triangle_extent(vec3 edge1, vec3 edge2) {
+    return max_component(max(max(abs(edge1), abs(edge2)), abs(edge2 - edge1)));
+}
 
 HM_FN float hit_error(vec3 coordinates, float extent, vec3 n) {
     return kCoordinateError * dot(abs(n), coordinates) + kExtentError * extent;

@@ -132,6 +132,7 @@ struct EmitterTriangle {
     uint instance;
     uint geometry;  // within the instance's mesh
     uint primitive;
+    float error;  // of its points along the normal: hit_error at the farthest corner
 };
 
 HM_CONST uint kCameraPerspective = 0u;
@@ -220,7 +221,7 @@ static_assert(sizeof(TextureUse) == 44 && offsetof(TextureUse, uv_row_u) == 20);
 static_assert(sizeof(Vertex) == 48 && sizeof(VertexExtra) == 24);
 static_assert(sizeof(GeometryData) == 16 && sizeof(InstanceData) == 112);
 static_assert(sizeof(LightData) == 52 && sizeof(AliasEntry) == 16);
-static_assert(sizeof(EmitterTriangle) == 48 && sizeof(CameraData) == 68);
+static_assert(sizeof(EmitterTriangle) == 52 && sizeof(CameraData) == 68);
 static_assert(sizeof(AovParams) == 80);
 }  // namespace hm
 #endif

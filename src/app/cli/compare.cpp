@@ -3,6 +3,7 @@
 #include "app/cli/compare.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <utility>

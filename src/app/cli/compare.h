@@ -1,12 +1,12 @@
 // `himalaya compare`: the distance between two pictures, as text or as JSON.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/cli/cli11.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/measure.h"
 

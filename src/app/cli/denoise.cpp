@@ -1,6 +1,7 @@
 #include "app/cli/denoise.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <utility>

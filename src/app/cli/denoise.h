@@ -1,13 +1,13 @@
 // `himalaya denoise`: denoises a picture rendered before, guided by the layers in its file.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/cli/cli11.h"
 #include "app/cli/exit_code.h"
 #include "film/denoise.h"
 #include "session/denoise_layers.h"

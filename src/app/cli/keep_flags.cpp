@@ -1,6 +1,7 @@
 #include "app/cli/keep_flags.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <system_error>
 

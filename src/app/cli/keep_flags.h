@@ -1,8 +1,7 @@
 // The flags for checkpoints, resuming and rendering in parts.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli/cli11.h"
 #include "app/cli/options.h"
 
 namespace hm::cli {

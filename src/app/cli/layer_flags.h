@@ -1,8 +1,7 @@
 // The flags for AOVs and other layers, and for how OpenEXR files store them.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli/cli11.h"
 #include "session/settings.h"
 
 namespace hm::cli {

@@ -1,12 +1,9 @@
 // The flags for reading a scene file, shared by all commands that read one.
 #pragma once
 
+#include "app/cli/cli11.h"
 #include "app/cli/values.h"
 #include "gltf/load.h"
-
-namespace CLI {
-class App;
-}
 
 namespace hm::cli {
 

@@ -1,10 +1,10 @@
 // `himalaya merge`: merges parts of a rendering, each a range of the samples.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <filesystem>
 #include <vector>
 
+#include "app/cli/cli11.h"
 #include "app/cli/exit_code.h"
 
 namespace hm::cli {

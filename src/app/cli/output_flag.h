@@ -1,10 +1,11 @@
 // The pictures that a command writes.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "app/cli/cli11.h"
 
 namespace hm::cli {
 

@@ -1,8 +1,7 @@
 // The flags of `himalaya render`; their help texts are the manual.
 #pragma once
 
-#include <CLI/App.hpp>
-
+#include "app/cli/cli11.h"
 #include "app/cli/options.h"
 
 namespace hm::cli {

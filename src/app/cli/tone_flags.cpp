@@ -1,5 +1,7 @@
 #include "app/cli/tone_flags.h"
 
+#include <CLI/CLI.hpp>
+
 #include "app/cli/flag.h"
 #include "app/cli/values.h"
 #include "session/choices.h"

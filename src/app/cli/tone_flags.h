@@ -1,9 +1,10 @@
 // The flags for exposure and tone mapping of PNG files.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
+
+#include "app/cli/cli11.h"
 
 namespace hm::cli {
 

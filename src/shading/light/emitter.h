@@ -59,9 +59,7 @@ HM_FN void sample_emitter(uint choice, uint coin, float u, float v, vec3 p,
     vec2 barycentrics = sample_triangle(u, v);
     vec3 weights = vec3(1.0f - barycentrics.x - barycentrics.y, barycentrics.x, barycentrics.y);
     vec3 q = e.p0 * weights.x + e.p1 * weights.y + e.p2 * weights.z;
-    vec3 edge1 = e.p1 - e.p0;
-    vec3 edge2 = e.p2 - e.p0;
-    vec3 scaled_normal = cross(edge1, edge2);
+    vec3 scaled_normal = cross(e.p1 - e.p0, e.p2 - e.p0);
     float double_area = sqrt(dot(scaled_normal, scaled_normal));
     if (!(double_area > 0.0f)) return;
     vec3 n = scaled_normal * divide(1.0f, double_area);
@@ -69,8 +67,7 @@ HM_FN void sample_emitter(uint choice, uint coin, float u, float v, vec3 p,
     bool front = dot(n, p - q) > 0.0f;
     if (!front && (m.flags & kMaterialDoubleSided) == 0u) return;
     // The shadow ray ends in front of the emitter, so it never meets the emitter itself.
-    float error = hit_error(transform_magnitude(instance, q), triangle_extent(edge1, edge2), n);
-    vec3 to_light = q + n * (front ? error : -error) - p;
+    vec3 to_light = q + n * (front ? e.error : -e.error) - p;
     float distance_squared = dot(to_light, to_light);
     if (!(distance_squared > 0.0f)) return;
     light.distance = sqrt(distance_squared);

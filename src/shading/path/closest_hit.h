@@ -50,9 +50,10 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
     p.weight = vec3(0.0f);
     p.light_contribution = vec3(0.0f);
     bool two_sided = (m.flags & kMaterialDoubleSided) != 0u;
-    if (p.bounce == 0u && !s.front && !two_sided) {
+    bool passes = p.bounce == 0u && !s.front && !two_sided;
+    p.next_origin = s.position + s.ng * (passes ? -s.error : s.error);
+    if (passes) {
         p.passed_through = 1u;
-        p.next_origin = s.position - s.ng * s.error;
         return;
     }
     if (s.front || two_sided) {
@@ -73,7 +74,6 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
     Bsdf b;
     make_bsdf(point, wo, b);
     note_material(p, b, point.metallic);
-    p.next_origin = s.position + s.ng * s.error;
 
     SamplerState numbers;
     resume_sample(p, numbers);

@@ -29,20 +29,6 @@ HM_FN vec3 transform_vector(HM_IN(mat4x3) m, vec3 v) {
     return m[0] * v.x + m[1] * v.y + m[2] * v.z;
 }
 
-// The largest terms that meet while p is taken to object space and back: what rounding scales with.
-HM_FN vec3 transform_magnitude(HM_IN(InstanceData) instance, vec3 p) {
-    vec3 a = abs(p);
-    HM_ROW(mat4x3) w = instance.world_to_object;
-    vec3 local = abs(w[0]) * a.x + abs(w[1]) * a.y + abs(w[2]) * a.z + abs(w[3]);
-    HM_ROW(mat4x3) m = instance.object_to_world;
-    return abs(m[0]) * local.x + abs(m[1]) * local.y + abs(m[2]) * local.z + abs(m[3]);
-}
-
-// The longest side of a triangle along an axis.
-HM_FN float triangle_extent(vec3 edge1, vec3 edge2) {
-    return max_component(max(max(abs(edge1), abs(edge2)), abs(edge2 - edge1)));
-}
-
 // Normals by the transposed inverse.
 HM_FN vec3 transform_normal(HM_IN(mat4x3) world_to_object, vec3 n) {
     return vec3(dot(world_to_object[0], n), dot(world_to_object[1], n), dot(world_to_object[2], n));
@@ -114,7 +100,8 @@ HM_FN void load_surface(HM_IN(HitIds) ids, vec3 origin, vec3 direction, HM_OUT(S
     s.ng = normalize(normal);
     if ((instance.flags & kInstanceFlipped) != 0u) s.ng = -s.ng;
     s.front = dot(s.ng, direction) < 0.0f;
-    s.error = hit_error(transform_magnitude(instance, s.position), triangle_extent(edge1, edge2), s.ng);
+    s.error = hit_error(transform_magnitude(instance, abs(s.position)),
+                        triangle_extent(edge1, edge2), s.ng);
     s.uv0 = t.a.uv0 * weights.x + t.b.uv0 * weights.y + t.c.uv0 * weights.z;
     load_extras(s.geometry, ids.primitive, weights, s.uv1, s.color);
 
