@@ -1,5 +1,5 @@
 // Punctual lights on a Lambertian plane: no noise. What differs from the closed form is that a
-// point is seen from 2^-16 m over the floor.
+// point is seen from a rounding error above the floor.
 #include <gtest/gtest.h>
 
 #include <cmath>
