@@ -23,8 +23,8 @@ double dot_double(vec3 a, vec3 b) {
     return double(a.x) * double(b.x) + double(a.y) * double(b.y) + double(a.z) * double(b.z);
 }
 
-// A point interpolated on a triangle leaves the triangle's plane by its error, wherever the triangle
-// is and whatever its size; and the error is no larger than rounding explains.
+// A point interpolated on a triangle leaves the triangle's plane by its error, wherever the
+// triangle is and whatever its size; and the error is no larger than rounding explains.
 TEST(Geometry, HitErrorClearsThePlaneAtEverySizeAndDistance) {
     test::Random random(22);
     for (int i = 0; i < 200000; ++i) {
