@@ -22,7 +22,7 @@ std::vector<AliasEntry> build_alias_table(std::span<const float> weights) {
         sum += double(w);
     if (!(sum > 0)) return table;
 
-    // Slots filled less than full take the rest from a slot that is overfull.
+    // Underfull slots take the remainder from an overfull slot.
     std::vector<double> fill(n);
     std::vector<std::uint32_t> small, large;
     for (std::size_t i = 0; i < n; ++i) {
@@ -47,7 +47,7 @@ std::vector<AliasEntry> build_alias_table(std::span<const float> weights) {
             small.push_back(high);
         }
     }
-    // What is left is full up to rounding; an entry of weight zero must still never be drawn.
+    // The remaining slots are full up to rounding; an entry with zero weight must never be sampled.
     std::uint32_t heaviest =
         std::uint32_t(std::max_element(weights.begin(), weights.end()) - weights.begin());
     for (std::uint32_t i : large)

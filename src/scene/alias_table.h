@@ -1,4 +1,4 @@
-// Walker's alias method (1977), built as Vose (1991): a discrete distribution that is sampled in
+// Walker's alias method (1977) with Vose's construction (1991): samples a discrete distribution in
 // constant time from two 32-bit integers.
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace hm {
 
-// Entry i is drawn with probability weights[i] / sum. Weights are finite and not negative; if all
-// are zero the table has pdf 0 everywhere. As many entries as weights.
+// Entry i is sampled with probability weights[i] / sum. Weights are finite and non-negative; if all
+// are zero, the pdf is 0 everywhere. The table has one entry per weight.
 std::vector<AliasEntry> build_alias_table(std::span<const float> weights);
 
 }  // namespace hm

@@ -1,4 +1,4 @@
-// Alias tables hold exactly the distribution they were built from.
+// Alias tables represent exactly the distribution they were built from.
 #include "scene/alias_table.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace hm {
 namespace {
 
-// The probability of each entry as lookups with 32-bit numbers find it.
+// The probability of each entry for lookups with 32-bit integers.
 std::vector<double> recover(const std::vector<AliasEntry>& table) {
     std::vector<double> p(table.size());
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -30,7 +30,7 @@ void expect_exact(const std::vector<float>& weights) {
         sum += double(w);
     for (std::size_t i = 0; i < weights.size(); ++i) {
         double exact = double(weights[i]) / sum;
-        // A threshold is known to 2^-32 of a slot, of n slots; rounding of the build's sums.
+        // Tolerance: thresholds are quantized to 2^-32 of a slot; the build's sums are rounded.
         EXPECT_NEAR(p[i], exact, 1e-6 * exact + 3e-10) << i << " of " << weights.size();
         EXPECT_FLOAT_EQ(table[i].pdf_self, float(exact));
         EXPECT_EQ(table[i].pdf_alias, table[table[i].alias].pdf_self);

@@ -9,7 +9,7 @@
 namespace hm {
 namespace {
 
-// Where the value's numbers stand. A node's visibility is none.
+// The floats that store the value; empty for node visibility, which is not a float.
 template <class AnyScene>
 auto floats_of(AnyScene& scene, AnimatedValue value, std::size_t owner) {
     using Float = std::conditional_t<std::is_const_v<AnyScene>, const float, float>;
@@ -43,7 +43,7 @@ struct Range {
 
 Range range_of(AnimatedValue value) {
     constexpr float kMost = std::numeric_limits<float>::max();
-    constexpr float kLeast = 1e-4f;  // of what must be above 0
+    constexpr float kLeast = 1e-4f;  // lower limit of values that must be above 0
     constexpr float kPi = 3.14159265f;
     if (const MaterialFactor* factor = find_material_factor(value))
         return {factor->low, factor->high};

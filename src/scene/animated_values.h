@@ -1,5 +1,5 @@
-// Values of a scene that an animation can set in addition to the nodes' transforms and weights:
-// material factors, lights, cameras and the nodes' visibility (KHR_animation_pointer).
+// Scene properties that an animation can set in addition to node transforms and morph weights:
+// material factors, lights, cameras and node visibility (KHR_animation_pointer).
 #pragma once
 
 #include <array>
@@ -10,16 +10,16 @@
 
 namespace hm {
 
-// Numbers that the value consists of; a node's visibility is one, 0 or 1.
+// Number of components of the value; node visibility has one component, 0 or 1.
 std::size_t width(AnimatedValue value);
 
-// The first width() elements are the value as it stands in the scene.
+// The first width() elements hold the current value in the scene.
 std::array<float, 4> get_value(const Scene& scene, AnimatedValue value, std::size_t owner);
 
-// `to` has width() elements, which are taken as they are.
+// `to` has width() elements, which are not clamped or validated.
 void set_value(Scene& scene, AnimatedValue value, std::size_t owner, std::span<const float> to);
 
-// Pulls what interpolation made to the nearest number that the value may be.
+// Clamps an interpolated value to the nearest valid one.
 void clamp_value(AnimatedValue value, std::span<float> numbers);
 
 }  // namespace hm

@@ -7,7 +7,7 @@
 namespace hm {
 namespace {
 
-// Two neighbouring keys and how far along the time is between them, 0 to 1.
+// Two neighbouring keys and the interpolation parameter between them, 0 to 1.
 struct Span {
     std::size_t first = 0, second = 0;
     double fraction = 0;
@@ -26,7 +26,7 @@ Span find_span(const std::vector<float>& times, double seconds) {
     return {second - 1, second, (seconds - begin) / length, length};
 }
 
-// A key's value, without the tangents around it.
+// The value of a key, without its in- and out-tangents.
 const float* value_at(const AnimationSampler& s, std::size_t key) {
     const std::size_t width = s.width();
     if (s.interpolation == Interpolation::cubic_spline)
@@ -34,7 +34,7 @@ const float* value_at(const AnimationSampler& s, std::size_t key) {
     return s.values.data() + key * width;
 }
 
-// Hermite's basis (Appendix C.4). The tangents are per second.
+// Cubic Hermite basis (Appendix C.4). Tangents are per second.
 void interpolate_cubic(const AnimationSampler& s, const Span& at, std::span<float> out) {
     const std::size_t width = out.size();
     const float* v0 = value_at(s, at.first);
@@ -55,11 +55,11 @@ glm::dvec4 unit_quaternion(const float* v) {
 
 glm::dvec4 slerp(glm::dvec4 a, glm::dvec4 b, double t) {
     double cosine = glm::dot(a, b);
-    if (cosine < 0) {  // the same rotation, nearer
+    if (cosine < 0) {  // q and -q are the same rotation; take the nearer one
         b = -b;
         cosine = -cosine;
     }
-    // By the chord, which keeps its digits where the angle is small.
+    // From the chord length, which stays precise for small angles.
     const double angle = 2 * std::asin(std::min(0.5 * glm::length(b - a), 1.0));
     const double sine = std::sin(angle);
     if (sine < 1e-9) return glm::normalize(a + (b - a) * t);
@@ -93,7 +93,7 @@ vec4 evaluate_rotation(const AnimationSampler& sampler, double seconds) {
                           unit_quaternion(value_at(sampler, at.second)), at.fraction));
     std::array<float, 4> q{};
     evaluate(sampler, seconds, q);
-    // A spline between opposite quaternions can pass through zero, which is no rotation.
+    // A spline between opposite quaternions can pass through zero, which is not a rotation.
     if (q == std::array<float, 4>{}) return vec4(unit_quaternion(value_at(sampler, at.first)));
     return vec4(unit_quaternion(q.data()));
 }

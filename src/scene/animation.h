@@ -1,5 +1,5 @@
-// Keyframe animation as glTF 2.0 describes it (3.11 and Appendix C): samplers, and the channels
-// that say what each one moves.
+// Keyframe animation as specified by glTF 2.0 (3.11 and Appendix C): samplers, and the channels
+// that bind each sampler to its target.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ enum class Interpolation { step, linear, cubic_spline };
 struct AnimationSampler {
     Interpolation interpolation = Interpolation::linear;
     std::vector<float> times;  // seconds; strictly increasing, not empty
-    // One value of width() floats per time; of a cubic spline its in-tangent, the value and its
+    // One value of width() floats per key time; for cubic splines the in-tangent, the value and the
     // out-tangent.
     std::vector<float> values;
 
@@ -32,8 +32,8 @@ struct Channel {
     AnimatedProperty property = AnimatedProperty::translation;
 };
 
-// Values outside the nodes' transforms and weights (animated_values.h). Those of materials are
-// called as the members of Material.
+// Animated values other than node transforms and weights (animated_values.h). Material values are
+// named after the members of Material.
 enum class AnimatedValue {
     node_visible,
 #define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
@@ -53,10 +53,10 @@ struct ValueChannel {
     std::size_t sampler = 0;  // into Animation::samplers
     AnimatedValue value = AnimatedValue::node_visible;
     std::size_t owner = 0;        // into the scene's nodes, materials, lights or cameras
-    std::array<float, 4> rest{};  // where no animation sets it
+    std::array<float, 4> rest{};  // used when no animation sets the value
 };
 
-// No two channels set the same property of the same thing.
+// No two channels target the same property of the same object.
 struct Animation {
     std::string name;
     std::vector<AnimationSampler> samplers;
@@ -64,12 +64,12 @@ struct Animation {
     std::vector<ValueChannel> values{};
 };
 
-// The value at a time, which is clamped to the range of the keys. `out` has room for width()
-// floats.
+// Evaluates the sampler at a time, which is clamped to the range of the keys. `out` has room for
+// width() floats.
 void evaluate(const AnimationSampler& sampler, double seconds, std::span<float> out);
 
-// The same for quaternions (width 4, none of length zero), in unit length. Linear interpolation
-// goes along the shorter great arc.
+// The same for quaternions (width 4, none of length zero); returns a unit quaternion. Linear
+// interpolation is slerp along the shorter great arc.
 vec4 evaluate_rotation(const AnimationSampler& sampler, double seconds);
 
 }  // namespace hm

@@ -1,4 +1,4 @@
-// Samplers against closed forms.
+// Animation samplers against closed forms.
 #include "scene/animation.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(Sampler, OneKeyIsAConstant) {
 }
 
 TEST(Sampler, CubicSplineIsHermites) {
-    // Two values per key; keys 2 s apart, so tangents count twice.
+    // Two values per key; keys are 2 s apart, so tangents are scaled by 2.
     const double a = 1, b = 5, out_tangent = 3, in_tangent = -4;
     const AnimationSampler s{Interpolation::cubic_spline,
                              {1, 3},
@@ -73,7 +73,7 @@ TEST(Sampler, CubicSplineIsHermites) {
     for (const double t : {0.25, 0.5, 0.9}) {
         std::array<float, 2> got{};
         evaluate(s, 1 + 2 * t, got);
-        // Bernstein's form of the same curve: the tangents make the inner control points.
+        // Bernstein (Bezier) form of the same curve: tangents give the inner control points.
         const double c1 = a + 2 * out_tangent / 3, c2 = b - 2 * in_tangent / 3, u = 1 - t;
         const double expected =
             u * u * u * a + 3 * u * u * t * c1 + 3 * u * t * t * c2 + t * t * t * b;
@@ -95,7 +95,7 @@ TEST(Rotations, ConstantSpeedAlongTheArc) {
 }
 
 TEST(Rotations, TheShorterWay) {
-    // The same turn by its opposite quaternion: 60 degrees, not 300.
+    // The negated quaternion of the same rotation: 60 degrees, not 300.
     const AnimationSampler s =
         rotations(Interpolation::linear, {turn_about_z(0), -turn_about_z(kPi / 3)});
     expect_near(evaluate_rotation(s, 0.5), turn_about_z(kPi / 6));

@@ -47,7 +47,7 @@ CameraData camera_framing(const Bounds& bounds, float yfov, float aspect) {
     vec3 back = normalize(vec3(0.5f, 0.35f, 1.0f));
     CameraData c =
         camera_look_at(bounds.center() + back, bounds.center(), vec3(0, 1, 0), yfov, aspect);
-    // Far enough that all eight corners fall inside the frustum, with a margin.
+    // Far enough for all eight corners to lie inside the frustum, with a margin.
     float distance = 0;
     for (int i = 0; i < 8; ++i) {
         vec3 corner((i & 1) != 0 ? bounds.high.x : bounds.low.x,

@@ -1,4 +1,4 @@
-// From a scene's camera, or from a point of view, to what shading reads.
+// Builds the camera data that shading reads, from a scene's camera or from a viewpoint.
 #pragma once
 
 #include "scene/flatten.h"
@@ -6,14 +6,14 @@
 
 namespace hm {
 
-// A camera node's view. `aspect` is width / height of the picture; the file's yfov (or ymag) is
-// kept. The lens is a pinhole until lens_radius is set.
+// The view of a camera node. `aspect` is width / height of the image; the file's yfov (or ymag) is
+// kept. The camera is a pinhole until lens_radius is set.
 CameraData camera_from_node(const Camera& camera, const glm::mat4& world, float aspect);
 
-// eye and target in metres, yfov in radians.
+// eye and target are in metres, yfov in radians.
 CameraData camera_look_at(vec3 eye, vec3 target, vec3 up, float yfov, float aspect);
 
-// Frames the bounds from a little above, from the front right (+z, +x).
+// Frames the bounds, seen from slightly above and from the front right (+z, +x).
 CameraData camera_framing(const Bounds& bounds, float yfov, float aspect);
 
 }  // namespace hm

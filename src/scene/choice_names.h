@@ -1,5 +1,4 @@
-// What glTF calls the choices that shading numbers (shading/structs.h): the names stand at those
-// numbers.
+// glTF names of the enum values in shading/structs.h: each array is indexed by the enum value.
 #pragma once
 
 #include <algorithm>

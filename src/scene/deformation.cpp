@@ -6,7 +6,7 @@
 namespace hm {
 namespace {
 
-// Through double: squares of floats overflow.
+// In double: squares of floats can overflow.
 vec3 unit_or_zero(glm::dvec3 v) {
     const double size = glm::length(v);
     return size > 0 && std::isfinite(size) ? vec3(v / size) : vec3(0);
@@ -51,7 +51,7 @@ void morph(const std::vector<MorphTarget>& targets, std::span<const float> weigh
             e.color = clamp(e.color, vec4(0), vec4(1));
 }
 
-// Linear blend skinning: the weighted sum of the joints' matrices moves the vertex.
+// Linear blend skinning: the vertex is transformed by the weighted sum of the joint matrices.
 void skin(const Deformation& d, std::span<const glm::mat4> joint_matrices,
           std::vector<Vertex>& vertices) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -61,8 +61,8 @@ void skin(const Deformation& d, std::span<const glm::mat4> joint_matrices,
                 m += glm::dmat4(joint_matrices[d.joints[k]]) * double(d.weights[k]);
         Vertex& v = vertices[i];
         v.position = vec3(m * glm::dvec4(v.position, 1));
-        // Normals turn with the cofactors: the transposed inverse times the determinant, whose sign
-        // is taken out again. Those exist for singular matrices too.
+        // Normals are transformed by the cofactor matrix, that is the inverse transpose times the
+        // determinant, whose sign is removed again. It exists for singular matrices too.
         const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
         const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
         const double side = glm::dot(x, cofactors[0]) < 0 ? -1 : 1;

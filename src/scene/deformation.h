@@ -1,4 +1,4 @@
-// What moves a primitive's vertices: morph targets (glTF 2.0, 3.7.2.2) and the joints of a skin
+// Vertex deformation of a primitive: morph targets (glTF 2.0, 3.7.2.2) and skinning by joints
 // (3.7.3).
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace hm {
 
-// Only vertices that a target moves are listed, in their order.
+// Sparse: only vertices that a target changes are listed, in ascending order.
 template <class T>
 struct Delta {
     std::uint32_t vertex;
@@ -23,12 +23,14 @@ struct MorphTarget {
     std::vector<Delta<vec4>> colors;
 };
 
-// Deltas of normals and tangents need those in the rest vertices, of uv1 and colours the extras.
+// Deltas of normals and tangents require normals and tangents in the rest vertices; deltas of uv1
+// and colours require the extras.
 struct Deformation {
     std::vector<Vertex> rest;
     std::vector<VertexExtra> rest_extras;
     std::vector<MorphTarget> targets;
-    // `influences` pairs per vertex, one vertex after the other. A vertex's weights sum to one.
+    // `influences` (joint, weight) pairs per vertex, vertex by vertex. The weights of a vertex sum
+    // to one.
     std::uint32_t influences = 0;
     std::vector<std::uint16_t> joints;
     std::vector<float> weights;
@@ -36,9 +38,9 @@ struct Deformation {
     std::size_t bytes() const;
 };
 
-// Deformed copies of the rest vertices. First the targets, as many as there are weights, then the
-// joints; without joint matrices the vertices stay in the mesh's own space. Normals are unit length
-// or, where they lose their direction, zero.
+// Writes deformed copies of the rest vertices. Morph targets come first, one per weight, then the
+// joints; without joint matrices the vertices stay in the mesh's own space. Normals are unit
+// length, or zero if they degenerate.
 void deform(const Deformation& deformation, std::span<const float> target_weights,
             std::span<const glm::mat4> joint_matrices, std::vector<Vertex>& vertices,
             std::vector<VertexExtra>& extras);

@@ -10,7 +10,7 @@
 namespace hm {
 namespace {
 
-// The shared texture and emission code over the flat scene's tables.
+// Runs the shared texture and emission code on the flat scene's tables.
 struct EmissionReader {
     const FlatScene& flat;
     const TextureUse* texture_uses;
@@ -27,8 +27,8 @@ struct EmissionReader {
     }
 #include "shading/texture/lookup.h"
 
-    // Mean luminance over the triangle. The grid is as fine as the texels under it,
-    // up to a limit: an estimate is enough, it only steers sampling.
+    // Mean luminance over the triangle. The sampling grid matches the texel density, up to a limit:
+    // an estimate is enough, as it only guides importance sampling.
     float mean(const MaterialData& m, const GeometryView& view, std::uint32_t primitive) {
         bool unlit = (m.flags & kMaterialUnlit) != 0;
         uint slot = unlit ? m.base_color_texture : m.emissive_texture;
@@ -63,7 +63,7 @@ bool emits(const MaterialData& m) {
     return max_component(m.emissive_factor) > 0;
 }
 
-// Emitters of a mesh are numbered through its emitting geometries.
+// Emitters of a mesh are numbered consecutively across its emissive geometries.
 std::uint32_t number_mesh_emitters(FlatScene& flat, std::size_t mesh) {
     std::uint32_t count = 0;
     for (std::uint32_t g = flat.mesh_first_geometry[mesh]; g < flat.mesh_first_geometry[mesh + 1];

@@ -1,5 +1,5 @@
-// Light sampling of emissive triangles: even over each triangle's area, with the density that BSDF
-// sampling computes for the same point.
+// Light sampling of emissive triangles: uniform over each triangle's area, with the same pdf that
+// BSDF sampling computes for the same point.
 #include "scene/emitters.h"
 
 #include <gtest/gtest.h>
@@ -19,11 +19,11 @@ using test::SceneBuilder;
 
 struct Found {
     std::size_t emitter;
-    double t, u, v;  // along the ray; barycentrics
+    double t, u, v;  // ray distance; barycentrics
 };
 
-// The emitter that a ray meets first, in double. The ray was aimed a little in front of it, so it
-// may pass an edge closely.
+// The first emitter that a ray hits, in double. The ray was aimed at a point slightly in front of
+// it, so it may narrowly miss at an edge.
 std::optional<Found> intersect(const FlatScene& flat, vec3 from, vec3 towards) {
     std::optional<Found> best;
     const glm::dvec3 o(from), d(towards);
@@ -43,7 +43,8 @@ std::optional<Found> intersect(const FlatScene& flat, vec3 from, vec3 towards) {
     return best;
 }
 
-// Two lamps apart, so that no ray meets both; the second mirrored and four times the area.
+// Two lamps far enough apart that no ray hits both; the second is mirrored, with four times the
+// area.
 SceneBuilder two_lamps(bool two_sided) {
     SceneBuilder b;
     Material m = test::emitter(vec3(2));

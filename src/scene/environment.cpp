@@ -10,8 +10,8 @@
 namespace hm {
 namespace {
 
-// The mean of the bilinear lookup over a texel's cell weights the 3x3 texels around it by 1 6 1 in
-// each direction.
+// The mean of the bilinear lookup over a texel's cell: a 3x3 filter with weights 1 6 1 along each
+// axis.
 float cell_luminance(const std::vector<float>& lum, std::uint32_t w, std::uint32_t h,
                      std::uint32_t x, std::uint32_t y) {
     const std::uint32_t xs[3] = {x == 0 ? w - 1 : x - 1, x, x + 1 == w ? 0 : x + 1};
@@ -40,7 +40,7 @@ EnvironmentMap make_environment(const FloatImage& image, float rotation, float i
     std::vector<float> weights(lum.size());
     double total = 0;
     for (std::uint32_t y = 0; y < h; ++y) {
-        // Solid angle of a texel in this row, as a share of the sphere.
+        // Solid angle of a texel in this row, as a fraction of the sphere.
         double top = std::cos(std::numbers::pi * y / h);
         double bottom = std::cos(std::numbers::pi * (y + 1) / h);
         double share = (top - bottom) / (2.0 * w);

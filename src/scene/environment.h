@@ -1,4 +1,4 @@
-// The environment as rendering reads it: linear texels and their alias table.
+// The environment map as the renderer reads it: linear texels and their alias table.
 #pragma once
 
 #include <vector>
@@ -12,14 +12,14 @@ struct EnvironmentMap {
     EnvironmentData data{};
     std::vector<vec4> texels;
     std::vector<AliasEntry> alias;
-    float mean_radiance = 0;  // luminance averaged over the sphere, intensity included
+    float mean_radiance = 0;  // mean luminance over the sphere, including intensity
 };
 
-// An equirectangular rgba32f picture, finite and not negative (image/read.h sees to that).
-// rotation in degrees; intensity scales the radiance. A map of no light at all has intensity 0.
+// `image` is an equirectangular rgba32f image, finite and non-negative (image/read.h ensures it).
+// rotation is in degrees; intensity scales the radiance. An all-black map gets intensity 0.
 EnvironmentMap make_environment(const FloatImage& image, float rotation, float intensity);
 
-// The neutral light a scene gets that has none of its own: a grey sky with a soft key light.
+// The neutral default lighting for scenes without lights: a grey sky with a soft key light.
 FloatImage default_environment();
 
 }  // namespace hm

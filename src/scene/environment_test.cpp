@@ -1,4 +1,4 @@
-// The environment map: where its directions are, and its sampling against its density.
+// The environment map: direction mapping, and its sampling against its pdf.
 #include "scene/environment.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::vector<Sky> skies() {
     Sky structured{"structured", 16, 8, {}};
     for (uint i = 0; i < 16 * 8; ++i)
         structured.texels.push_back(i % 5 < 2 ? vec3(0) : vec3(random.unit(), random.unit(), 0));
-    // A block of zeros wider than the filter, so that some cells have no light at all.
+    // A block of zeros wider than the filter, so that some cells are entirely black.
     for (uint y = 2; y < 6; ++y)
         for (uint x = 3; x < 9; ++x)
             structured.texels[y * 16 + x] = vec3(0);
@@ -103,7 +103,7 @@ TEST(Environment, SamplesMatchTheirDensity) {
             test::Random random(82);
             FlatScene flat = flat_sky(sky, rotation);
             LightHost host(flat);
-            // At least twice as fine as the texels, by the direction alone.
+            // At least twice the texel resolution, indexed by the direction alone.
             const uint columns = sky.width * std::max(16 / sky.width, 2u);
             const uint rows = sky.height * std::max(16 / sky.height, 2u);
             test::Histogram histogram(std::size_t(columns) * rows);
@@ -118,8 +118,8 @@ TEST(Environment, SamplesMatchTheirDensity) {
                 vec2 uv = host.environment_uv(d);
                 histogram.add(std::size_t(std::min(uint(uv.y * float(rows)), rows - 1)) * columns +
                               std::min(uint(uv.x * float(columns)), columns - 1));
-                // What BSDF sampling computes for the same direction, but where rounding puts it
-                // into the next cell.
+                // The pdf that BSDF sampling computes for the same direction, except where rounding
+                // moves it into the next cell.
                 float other = host.pdf_environment(d, uv);
                 mismatches += std::abs(other - pdf) > 1e-3f * pdf ? 1 : 0;
                 vec3 seen = host.environment_radiance(uv);
@@ -164,7 +164,7 @@ TEST(Environment, DensityIsNowhereZeroWhereRadianceIsNot) {
 }
 
 TEST(Environment, EstimatesTheIrradianceOfThePicture) {
-    // The mean of radiance / pdf over the whole sphere is the integral of what lookups return.
+    // The mean of radiance / pdf over the whole sphere is the integral of the looked-up radiance.
     for (const Sky& sky : skies()) {
         test::Random random(83);
         FlatScene flat = flat_sky(sky, 30);
@@ -191,7 +191,7 @@ TEST(Environment, EstimatesTheIrradianceOfThePicture) {
             }
         double error = std::sqrt(std::max(squares - mean * mean, 0.0) / kSamples);
         EXPECT_NEAR(mean, exact, 5 * error + 1e-4 * exact) << sky.name;
-        // The mean that shares samples between kinds of light takes rows as narrow.
+        // mean_radiance, used to divide samples between light types, assumes narrow rows.
         if (sky.height < 8) continue;
         EXPECT_NEAR(double(flat.mean_radiance) * 4 * kPiDouble, exact, 0.02 * exact) << sky.name;
     }

@@ -27,7 +27,7 @@ FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice ch
     if (choice.punctual) flatten_lights(scene, world, flat);
     if (choice.emitters) add_emitters(flat);
     if (flat.environment.intensity > 0) {
-        // Flux through the disk that the scene shows to each direction.
+        // Flux through the scene's bounding disk, seen from every direction.
         const double radius = scene_radius(flat.bounds);
         constexpr double pi = std::numbers::pi;
         flat.environment_power = double(flat.mean_radiance) * 4 * pi * pi * radius * radius;

@@ -1,5 +1,5 @@
-// Scene -> the tables that shading reads. Geometry is not copied: the tables point into the scene,
-// which must outlive them.
+// Converts a Scene into the tables that shading reads. Geometry is not copied: the tables point
+// into the scene, which must outlive them.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ namespace hm {
 
 struct GeometryView {
     const Vertex* vertices;
-    const VertexExtra* extras;  // null without kGeometryHasExtras
+    const VertexExtra* extras;  // null unless kGeometryHasExtras is set
     const uvec3* triangles;
     std::uint32_t vertex_count;
     std::uint32_t triangle_count;
@@ -28,20 +28,20 @@ struct Bounds {
     float radius() const { return empty() ? 0.0f : 0.5f * length(high - low); }
 };
 
-// Tables for AOVs only (shading/path/aovs.h); empty without them.
+// Tables used only by AOVs (shading/path/aovs.h); empty if none are rendered.
 struct AovTables {
     std::vector<std::uint32_t> source_groups;       // see scene/light_groups
-    std::vector<mat4x3> next_transforms;            // of instances, see scene/motion
-    std::vector<std::vector<vec3>> next_positions;  // of geometries; empty: as they are now
+    std::vector<mat4x3> next_transforms;            // per instance, see scene/motion
+    std::vector<std::vector<vec3>> next_positions;  // of geometries; empty: unchanged
 };
 
-// Which of the scene's nodes an instance stands for.
+// The scene node that an instance comes from.
 struct InstanceOrigin {
     std::uint32_t node;
-    std::uint32_t copy;  // of the node's `instances`; 0 without
+    std::uint32_t copy;  // index into the node's `instances`; 0 if there are none
 };
 
-// The tables of shading/tables.inl that a scene fills.
+// The tables of shading/tables.inl that are filled from a scene.
 struct SceneTables {
 #define HM_SCENE_TABLE(number, Type, name) std::vector<Type> name;
 #include "shading/tables.inl"
@@ -52,32 +52,33 @@ struct FlatScene : SceneTables {
     float mean_radiance = 0;                         // of the environment, see EnvironmentMap
     std::vector<ImageView> images;                   // 0: white; then Scene::images
     std::vector<GeometryView> geometry_views;        // parallel to `geometries`
-    std::vector<std::uint32_t> mesh_first_geometry;  // one more than meshes
+    std::vector<std::uint32_t> mesh_first_geometry;  // one more entry than meshes
     std::vector<InstanceOrigin> instance_origins;    // parallel to `instances`
     std::vector<std::uint32_t> light_nodes;          // parallel to `lights`
     AovTables aovs;
     Bounds bounds;  // world space
-    // Flux into the scene, for sharing samples between kinds of light. 0: none of that kind.
+    // Flux into the scene, used to divide samples between light types. 0: no light of that type.
     double environment_power = 0;
     double punctual_power = 0;
     double emitter_power = 0;
 };
 
-// What of the scene's light is used.
+// Which of the scene's light sources are used.
 struct LightChoice {
     bool punctual = true;
-    bool emitters = true;  // off: emission is still seen, but never sampled as a light
+    bool emitters = true;  // false: emission is still visible, but not sampled (no NEE)
 };
 
-// No single light counts as brighter than this (luminance times area): sums stay finite.
+// Upper limit on the power of a single light (luminance times area), so that sums stay finite.
 inline constexpr float kMaxLightPower = 1e30f;
 
 // Primitives with a normal map need tangents (scene/tangents prepares them).
-// Warns about what is scaled to nothing: instances are not drawn, cameras and lamps lose their aim.
+// Warns about degenerate (zero) scales: such instances are not rendered; cameras and lights lose
+// their direction.
 FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice choice,
                   Diagnostics& diagnostics);
 
-// Moves the environment out of a scene that is no longer rendered, to flatten the next one with it.
+// Moves the environment out of a scene that is no longer rendered, to reuse it for the next one.
 EnvironmentMap take_environment(FlatScene& scene);
 
 }  // namespace hm

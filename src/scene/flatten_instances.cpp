@@ -27,7 +27,7 @@ std::vector<Bounds> mesh_bounds(const Scene& scene) {
     return bounds;
 }
 
-// The box around the transformed box: never smaller than the instance itself.
+// Grows by the bounding box of the transformed box, which is conservative.
 void grow_by_instance(Bounds& bounds, const Bounds& mesh, const mat4x3& object_to_world) {
     if (mesh.empty()) return;
     for (int i = 0; i < 8; ++i)

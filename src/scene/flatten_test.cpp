@@ -1,4 +1,4 @@
-// Tables made of a scene: instances, emitters' numbers, lights and their shares.
+// Tables made from a scene: instances, emitter indices, lights and their sample shares.
 #include "scene/flatten.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(Flatten, LampsAndCamerasWithoutDirectionAreWarnedOf) {
     SceneBuilder b;
     const glm::mat4 nothing = glm::scale(kOne, vec3(0));
     Light lamp;
-    b.light(lamp, nothing);  // shines everywhere
+    b.light(lamp, nothing);  // omnidirectional
     lamp.kind = kLightSpot;
     b.light(lamp, nothing);
     b.light(lamp);
@@ -93,7 +93,7 @@ TEST(Flatten, UnsetTexturesAndMaterialsHaveDefaults) {
     EXPECT_EQ(use.image, 1u);
 }
 
-// Three instances of two meshes, of which some primitives emit.
+// Three instances of two meshes with some emissive primitives.
 SceneBuilder emitting_scene() {
     SceneBuilder b;
     int dark = b.material(test::lambertian(vec3(1)));
@@ -123,7 +123,7 @@ TEST(Flatten, EmittersAreFoundFromTheirHits) {
         const GeometryData& geometry = flat.geometries[instance.first_geometry + e.geometry];
         EXPECT_EQ(instance.first_emitter + geometry.emitter_offset + e.primitive, i);
     }
-    // Power: pi A L; unlit 0.5 to nits 3, the second instance four times the area.
+    // Power: pi A L; radiance 3 plus unlit 0.5; the second instance has four times the area.
     double per_area = std::numbers::pi * (3 + 0.5);
     EXPECT_NEAR(flat.emitter_power, per_area * (1 + 4), 1e-4);
     for (std::size_t i = 0; i < 4; ++i)
@@ -147,7 +147,7 @@ TEST(Flatten, DoubleSidedEmittersHaveTwicePower) {
 TEST(Flatten, TexturedPowerIsTheMeanOfTheTexture) {
     SceneBuilder b;
     Material m = test::emitter(vec3(2));
-    // Two of four columns are bright: linear 1 and 0.
+    // Two of four columns are white: linear values 1 and 0.
     m.emissive_texture.image = b.image(4, 1, {vec4(0), vec4(1), vec4(1), vec4(0)});
     m.emissive_texture.wrap_u = m.emissive_texture.wrap_v = kWrapClamp;
     b.place(b.quad(vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), b.material(m)));
@@ -183,7 +183,7 @@ TEST(Flatten, SpotCoefficientsFollowTheExtension) {
 }
 
 void expect_whole(const LightRange& range) {
-    // 32-bit numbers of the range are spread over all 32 bits, in order.
+    // 32-bit random numbers within the range are remapped to all 32 bits, in order.
     SCOPED_TRACE(testing::Message() << range.begin << " to " << range.end);
     FlatScene nothing;
     LightHost host(nothing);

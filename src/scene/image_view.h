@@ -23,13 +23,13 @@ inline vec4 fetch_image_texel(const ImageView& image, std::uint32_t x, std::uint
     std::size_t index = (std::size_t(y) * image.width + x) * 4;
     if (image.format == 0) {
         const std::uint8_t* t = static_cast<const std::uint8_t*>(image.pixels) + index;
-        // As 16 bits, of which 8 bits repeated are as much.
+        // Via 16 bits: c * 257 repeats the byte, so both formats give the same float.
         const auto unit = [](std::uint8_t c) { return float(c * 257) * (1.0f / 65535.0f); };
         if (srgb) return vec4(table[t[0]], table[t[1]], table[t[2]], unit(t[3]));
         return vec4(unit(t[0]), unit(t[1]), unit(t[2]), unit(t[3]));
     }
-    // 16-bit colour: the nearest two 8-bit entries bracket it closely enough that interpolating the
-    // decoding curve between them is exact to 2e-5.
+    // 16-bit sRGB colour: linear interpolation between the two nearest 8-bit table entries is
+    // accurate to 2e-5.
     const std::uint16_t* t = static_cast<const std::uint16_t*>(image.pixels) + index;
     vec4 c;
     for (int k = 0; k < 4; ++k) {

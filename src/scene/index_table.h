@@ -19,8 +19,9 @@ class IndexTable {
         entries_.resize(size);
     }
 
-    // The index in the table whose element equals the one meant, or `index` itself, which is then
-    // added. `equal(i)` compares the element with that of index i; equal elements have one hash.
+    // Returns the index in the table whose element equals the searched one, or else adds and
+    // returns `index`. `equal(i)` compares the searched element with element i; equal elements must
+    // have the same hash.
     template <class Equal>
     std::uint32_t find_or_add(std::uint64_t hash, std::uint32_t index, const Equal& equal) {
         if (2 * (count_ + 1) > entries_.size()) grow();
@@ -54,11 +55,11 @@ class IndexTable {
         }
     }
 
-    std::vector<Entry> entries_;  // a power of two of them, at most half of them taken
+    std::vector<Entry> entries_;  // size is a power of two, at most half full
     std::size_t count_ = 0;
 };
 
-// Mixes words so that the upper half depends on all of them.
+// Hashes the words so that the upper 32 bits depend on all of them.
 inline std::uint64_t hash_words(std::span<const std::uint32_t> words) {
     std::uint64_t hash = words.size();
     for (const std::uint32_t word : words) {

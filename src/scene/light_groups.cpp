@@ -10,7 +10,7 @@
 namespace hm {
 namespace {
 
-// A dot would nest layers; spaces and other characters are hard to type and quote.
+// A dot would nest layers; spaces and special characters are hard to type and quote.
 std::string layer_word(const std::string& name) {
     std::string word;
     for (const char c : name)
@@ -21,8 +21,8 @@ std::string layer_word(const std::string& name) {
     return word;
 }
 
-// Adds numbers to names that are taken: "lamp", "lamp_2", "lamp_3", ... Names are only ever added,
-// so the search for a word's next free number goes on where its last one ended.
+// Makes names unique by appending numbers: "lamp", "lamp_2", "lamp_3", ... Names are never removed,
+// so the search for the next free suffix of a word continues where its last search ended.
 class GroupNames {
   public:
     explicit GroupNames(std::vector<std::string>& names)

@@ -1,5 +1,5 @@
-// Light groups: each punctual light of the file, each emissive material, and the environment with
-// the background form a group of their own.
+// Light groups: one group for each punctual light of the file, one for each emissive material, and
+// one for the environment with the background.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 namespace hm {
 
 struct LightGroups {
-    std::vector<std::string> names;  // unique, usable in the name of a layer
-    // Of each source of light, as kSourceEnvironment in shading/path/types.h numbers them.
+    std::vector<std::string> names;  // unique, valid as part of a layer name
+    // Group of each light source, indexed as defined at kSourceEnvironment in shading/path/types.h.
     std::vector<std::uint32_t> source_groups;
 };
 

@@ -1,4 +1,4 @@
-// Names of light groups: unique, and the same as a search from 2 upwards would find.
+// Light group names: unique, and the same as a linear search from 2 upwards finds.
 #include "scene/light_groups.h"
 
 #include <gtest/gtest.h>
@@ -28,12 +28,12 @@ TEST(LightGroups, NamesThatAreTakenAreNumbered) {
                                                "lamp_4",      "a_b",          "a_b_2",  "light_6",
                                                "light_6_2",   "environment_2"};
     EXPECT_EQ(groups.names, expected);
-    // The environment, then each light, then glTF's default material, which emits nothing.
+    // The environment, then each light, then glTF's default material, which is not emissive.
     const std::vector<std::uint32_t> sources = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 0};
     EXPECT_EQ(groups.source_groups, sources);
 }
 
-// Quadratic time would show here as seconds, cubic time would never end.
+// Quadratic time would take seconds here, cubic time would never finish.
 TEST(LightGroups, ManyLightsOfOneName) {
     constexpr std::size_t kCount = 20000;
     const LightGroups groups = groups_of(std::vector<std::string>(kCount, "lamp"));
@@ -43,7 +43,7 @@ TEST(LightGroups, ManyLightsOfOneName) {
     EXPECT_EQ(groups.names[kCount], "lamp_20000");
 }
 
-// One of the numbered names is also some light's own name.
+// One of the generated names is also the own name of a light.
 TEST(LightGroups, ManyLightsBesideANumberedOne) {
     std::vector<std::string> names(1000, "lamp");
     names[0] = "lamp_500";

@@ -78,7 +78,7 @@ std::span<const float> material_floats(const Material& material, AnimatedValue v
 }
 
 bool is_extension(std::string_view owner) {
-    return owner.find('_') != owner.npos;  // glTF's own keys have none
+    return owner.find('_') != owner.npos;  // keys of core glTF have no underscore
 }
 
 std::string pointer_in_material(std::string_view owner, std::string_view key) {

@@ -1,4 +1,4 @@
-// The table of a material's parameters (shading/material/parameters.inl has the list).
+// The table of material parameters (listed in shading/material/parameters.inl).
 #pragma once
 
 #include <array>
@@ -15,16 +15,16 @@ namespace hm {
 
 enum class BelowRange { clamp, refuse };
 
-// A number or a vector of a material.
+// A scalar or vector parameter of a material.
 struct MaterialFactor {
-    std::string_view owner;  // the object that has the key, see parameters.inl
+    std::string_view owner;  // the JSON object that contains the key, see parameters.inl
     std::string_view key;
     AnimatedValue value;
     std::size_t components;
-    float start;      // its default, in every component
-    float low, high;  // low and high are +-float's largest where there is no limit
+    float start;      // default value of every component
+    float low, high;  // -/+ the largest float where there is no limit
     BelowRange below;
-    bool animated;  // false: animating it changes no picture
+    bool animated;  // false: animating it does not affect the image
     std::string_view meaning;
 };
 
@@ -36,23 +36,23 @@ struct MaterialTexture {
     std::string_view meaning;
 };
 
-// Neighbours in a list often share their owner.
+// Consecutive entries often share their owner.
 std::span<const MaterialFactor> material_factors();
 std::span<const MaterialTexture> material_textures();
 
-// Null for values that are not of a material.
+// Null if the value is not a material parameter.
 const MaterialFactor* find_material_factor(AnimatedValue value);
 
-// The factor's components; empty for values that are not of a material.
+// The factor's components; empty if the value is not a material parameter.
 std::span<float> material_floats(Material& material, AnimatedValue value);
 std::span<const float> material_floats(const Material& material, AnimatedValue value);
 
-// Whether an owner is an extension's object.
+// Whether the owner is the object of an extension.
 bool is_extension(std::string_view owner);
 // JSON pointer from the material to the property.
 std::string pointer_in_material(std::string_view owner, std::string_view key);
 
-// Whether the list has parameters of this extension.
+// Whether the list contains parameters of this extension.
 bool has_material_parameters(std::string_view extension);
 
 }  // namespace hm

@@ -1,4 +1,4 @@
-// The list of material parameters: what follows from it agrees, and docs/materials.md shows it.
+// The list of material parameters: derived tables are consistent, and docs/materials.md matches it.
 #include "scene/material_parameters.h"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ TEST(MaterialParameters, DocsHaveTheTable) {
         EXPECT_TRUE(lines.contains(factor_line(f))) << factor_line(f);
     for (const MaterialTexture& t : material_textures())
         EXPECT_TRUE(lines.contains(texture_line(t))) << texture_line(t);
-    // Two tables, each with a heading and a rule.
+    // Two tables, each with a header row and a separator row.
     std::size_t rows = 0;
     for (const std::string& line : lines)
         rows += line.starts_with("| `") ? 1 : 0;

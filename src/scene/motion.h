@@ -1,4 +1,4 @@
-// Where everything will be at the next frame: for motion vectors.
+// Transforms and vertex positions at the next frame, for motion vectors.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,18 @@
 
 namespace hm {
 
-// A pose of the scene, without what poses do not change.
+// A pose of the scene: only the data that posing changes.
 struct PoseRecord {
-    std::vector<glm::mat4> world;              // of the nodes
-    std::vector<std::vector<vec3>> positions;  // of each mesh's primitives, one mesh after the
-                                               // other; empty where nothing deforms them
+    std::vector<glm::mat4> world;              // per node
+    std::vector<std::vector<vec3>> positions;  // per primitive, mesh by mesh; empty for
+                                               // primitives that are not deformed
 };
 
-// Of the pose that the scene has now.
+// Records the scene's current pose.
 PoseRecord record_pose(const Scene& scene);
 
-// Fills flat.aovs with the places that `next` gives to what `flat`, made from `scene`, holds.
+// Fills flat.aovs with the transforms and positions of `next` for the instances and geometries of
+// `flat`, which was made from `scene`.
 void set_next_pose(FlatScene& flat, const Scene& scene, const PoseRecord& next);
 
 }  // namespace hm

@@ -30,10 +30,10 @@ vec3 evaluate_vector(const AnimationSampler& sampler, double seconds) {
     return vec3(out[0], out[1], out[2]);
 }
 
-// What channels replace, by node.
+// Per-node values that animation channels override.
 struct Pose {
-    std::vector<Transform> transforms;        // of the nodes with a rest transform
-    std::vector<std::vector<float>> weights;  // of the nodes whose weights are animated
+    std::vector<Transform> transforms;        // used for nodes with a rest transform
+    std::vector<std::vector<float>> weights;  // used for nodes with animated weights
 };
 
 Pose rest_pose(const Scene& scene) {
@@ -97,7 +97,7 @@ Result<void> apply_values(Scene& scene, std::size_t animation, double seconds) {
     return {};
 }
 
-// From the rest vertices' space to the world, per joint.
+// Transform from the space of the rest vertices to world space, per joint.
 std::vector<glm::mat4> joint_matrices(const Skin& skin, const std::vector<glm::mat4>& world) {
     std::vector<glm::mat4> out;
     for (std::size_t i = 0; i < skin.joints.size(); ++i)

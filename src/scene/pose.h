@@ -1,4 +1,4 @@
-// A scene at a moment of one of its animations.
+// Poses a scene at a given time of one of its animations.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,13 @@ struct PoseTime {
     double seconds = 0;
 };
 
-// Sets the nodes' transforms, the vertices of every mesh that morphs or has a skin, and the values
-// that animations set; without a time, to the rest pose. Everything is computed from the rest
-// pose, so what was posed before does not matter. Fails where the animation's values overflow.
+// Sets the node transforms, the vertices of all meshes with morph targets or a skin, and all other
+// animated values; without a time, restores the rest pose. Everything is computed from the rest
+// pose, so the result does not depend on earlier poses. Fails if the animation's values overflow.
 Result<void> pose_scene(Scene& scene, const std::optional<PoseTime>& at);
 
-// The animation of this name or index; the name wins. Fails with ErrorKind::invalid_argument.
+// Finds an animation by name or index; names take precedence. Fails with
+// ErrorKind::invalid_argument.
 Result<std::size_t> find_animation(const Scene& scene, const std::string& wanted);
 
 }  // namespace hm

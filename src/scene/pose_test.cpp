@@ -1,4 +1,4 @@
-// Posed scenes made in code: what moves, what does not, and that nothing is left behind.
+// Posed scenes built in code: what moves, what does not, and that no earlier pose leaks through.
 #include "scene/pose.h"
 
 #include <gtest/gtest.h>
@@ -37,8 +37,8 @@ int add_node(Scene& scene, int parent, const Transform& rest) {
     return int(scene.nodes.size()) - 1;
 }
 
-// A strip up the y axis: at the lower joint, at the upper one, one above it, and one between that
-// follows both alike. Joint 1 stands at height 1.
+// A strip along the y axis. Vertices: at the lower joint, at the upper joint, one unit above it,
+// and one between them weighted equally to both. Joint 1 is at height 1.
 Primitive strip() {
     auto d = std::make_shared<Deformation>();
     for (const float y : {0.0f, 1.0f, 2.0f, 1.5f})
@@ -54,8 +54,8 @@ Primitive strip() {
     return p;
 }
 
-// Node 0 wears the skin and has a transform of its own; the joints are nodes 1 and 2. The animation
-// turns the upper joint by 90 degrees about z, x to y, within a second.
+// Node 0 has the skin and a transform of its own; the joints are nodes 1 and 2. The animation
+// rotates the upper joint by 90 degrees about z, x to y, within one second.
 Scene bent_scene() {
     Scene scene;
     scene.meshes.push_back({"strip", {strip()}, {}});
@@ -81,7 +81,7 @@ Scene bent_scene() {
 TEST(Skins, RestPoseFollowsTheJointsAlone) {
     Scene scene = bent_scene();
     ASSERT_TRUE(pose_scene(scene, std::nullopt));
-    // The lower joint carries all of it to z = 3; node 0's own transform has no say.
+    // The lower joint moves the whole strip to z = 3; node 0's own transform is ignored.
     const std::vector<Vertex>& v = scene.meshes[0].primitives[0].vertices;
     expect_near(v[0].position, {0, 0, 3});
     expect_near(v[2].position, {0, 2, 3});
@@ -99,10 +99,10 @@ TEST(Skins, NinetyDegreesByHand) {
     const std::vector<Vertex>& v = scene.meshes[0].primitives[0].vertices;
     expect_near(v[0].position, {0, 0, 3});
     expect_near(v[1].position, {0, 1, 3});   // the hinge
-    expect_near(v[2].position, {-1, 1, 3});  // one above it: now one to the left
+    expect_near(v[2].position, {-1, 1, 3});  // was one unit above it, now one to the left
     expect_near(v[2].normal, {0, 1, 0});
     expect_near(vec3(v[2].tangent), {-1, 0, 0});
-    // Half (0, 1.5, 3) and half (-0.5, 1, 3); its normal halfway between x and y.
+    // The mean of (0, 1.5, 3) and (-0.5, 1, 3); the normal is halfway between x and y.
     expect_near(v[3].position, {-0.25f, 1.25f, 3});
     expect_near(v[3].normal, vec3(std::sqrt(0.5f), std::sqrt(0.5f), 0));
 }
@@ -206,7 +206,7 @@ TEST(Posing, AnimationsByNameAndIndex) {
     scene.animations.push_back({"0", {}, {}});
     EXPECT_EQ(find_animation(scene, "weights").value(), 0u);
     EXPECT_EQ(find_animation(scene, "1").value(), 1u);
-    EXPECT_EQ(find_animation(scene, "0").value(), 1u);  // a name wins
+    EXPECT_EQ(find_animation(scene, "0").value(), 1u);  // names take precedence over indices
     for (const char* unknown : {"2", "", "-1", "weight"}) {
         const auto found = find_animation(scene, unknown);
         ASSERT_FALSE(found) << unknown;

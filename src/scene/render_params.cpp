@@ -32,7 +32,7 @@ void set_light_ranges(const FlatScene& scene, RenderParams& params) {
                                          &params.emitter_range};
     std::array<double, 3> powers = {scene.environment_power, scene.punctual_power,
                                     scene.emitter_power};
-    // BSDF sampling never finds a punctual light, so those are sampled in every strategy.
+    // BSDF sampling cannot hit a punctual light, so those are sampled in every strategy.
     if (params.strategy == kStrategyBsdf) powers[0] = powers[2] = 0;
     double total = 0;
     int present = 0;
@@ -44,7 +44,7 @@ void set_light_ranges(const FlatScene& scene, RenderParams& params) {
     for (std::size_t i = 0; i < 3; ++i) {
         *ranges[i] = LightRange{};
         if (!(powers[i] > 0)) continue;
-        // Half by power, half evenly: power says little about what reaches a given point.
+        // Half by power, half uniform: power alone is a poor predictor of the light at a point.
         double share = 0.5 * powers[i] / total + 0.5 / present;
         double end = std::min(begin + share, 1.0);
         double low = std::floor(begin * 4294967295.0), high = std::floor(end * 4294967295.0);

@@ -1,4 +1,4 @@
-// From settings and a scene to what the stages read: the only place that makes RenderParams.
+// Builds the RenderParams that the stages read from settings and a scene; the only place that does.
 #pragma once
 
 #include "scene/flatten.h"
@@ -6,11 +6,11 @@
 
 namespace hm {
 
-// With default settings already a correct picture.
+// The default settings already give a correct image.
 RenderParams make_params(const FlatScene& scene, std::uint32_t width, std::uint32_t height,
                          const PathSettings& settings = {});
 
-// The light ranges and counts again, after params.strategy was changed.
+// Recomputes the light ranges and counts after a change of params.strategy.
 void set_light_ranges(const FlatScene& scene, RenderParams& params);
 
 }  // namespace hm

@@ -1,5 +1,5 @@
-// A scene as a glTF file describes it, checked and decoded, before scene/flatten turns it into the
-// tables that rendering reads.
+// A scene as described by a glTF file, validated and decoded, before scene/flatten converts it into
+// the tables that the renderer reads.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace hm {
 
 inline constexpr int kUnset = -1;
 
-// One material slot's texture. Images are shared between slots by index.
+// The texture of one material slot. Images are shared between slots by index.
 struct TextureSlot {
     int image = kUnset;  // into Scene::images
     std::uint32_t wrap_u = kWrapRepeat;
@@ -31,12 +31,12 @@ struct TextureSlot {
 
 struct Material {
     std::string name;
-    // base_color, metallic, ..., base_color_texture, ...: as the list has them.
+    // base_color, metallic, ..., base_color_texture, ...: generated from the list.
 #define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
     type member = type(start);
 #define HM_TEXTURE(owner, key, slot, read, encoding, meaning) TextureSlot slot{};
 #include "shading/material/parameters.inl"
-    float specular_weight = 1;  // no file sets it
+    float specular_weight = 1;  // not set by any file
     std::uint32_t alpha_mode = kAlphaOpaque;
     bool double_sided = false;
     bool unlit = false;
@@ -46,8 +46,8 @@ struct Material {
     }
 };
 
-// Triangles of one material. Without normals it is shaded flat; `tangent` is read only with
-// has_tangents; `extras` is empty or as long as `vertices` (uv1 zero, colour one where absent).
+// Triangles with one material. Flat shaded without normals; `tangent` is read only if has_tangents
+// is set; `extras` is empty or as long as `vertices` (uv1 is zero and colour one where absent).
 struct Primitive {
     std::vector<Vertex> vertices;
     std::vector<VertexExtra> extras;
@@ -55,29 +55,29 @@ struct Primitive {
     int material = kUnset;  // kUnset: glTF's default material
     bool has_normals = false;
     bool has_tangents = false;
-    // Where there is one, scene/pose makes `vertices` and `extras` from it.
+    // If set, scene/pose computes `vertices` and `extras` from it.
     std::shared_ptr<const Deformation> deformation;
 };
 
 struct Mesh {
     std::string name;
     std::vector<Primitive> primitives;
-    std::vector<float> weights{};  // of its morph targets, as many in every primitive
+    std::vector<float> weights{};  // one per morph target; all primitives have the same number
 };
 
-// `joints` are nodes, in the order in which the meshes number them; a vertex is at rest in the
-// space that `inverse_bind` leads to from the mesh's.
+// `joints` are node indices, in the order of the meshes' joint indices; `inverse_bind` transforms
+// from mesh space to the space of the joint in which the vertex is at rest.
 struct Skin {
     std::string name;
     std::vector<int> joints;
-    std::vector<glm::mat4> inverse_bind;  // as many
+    std::vector<glm::mat4> inverse_bind;  // one per joint
 };
 
 struct Camera {
     std::string name;
     bool perspective = true;
     float yfov = 0.8f;         // radians
-    float aspect_ratio = 0;    // 0: the picture's
+    float aspect_ratio = 0;    // 0: that of the image
     float xmag = 1, ymag = 1;  // orthographic half extents, metres
 };
 
@@ -91,31 +91,31 @@ struct Light {
     float outer_cone = 0.7853981634f;
 };
 
-// Parents stand before their children, so one pass over the array computes world transforms.
+// Parents precede their children, so one pass over the array computes world transforms.
 struct Node {
     std::string name;
-    int index = kUnset;  // among the file's nodes, for messages
+    int index = kUnset;  // node index in the file, for messages
     int parent = kUnset;
     glm::mat4 local{1};
-    std::optional<Transform> rest;  // what `local` is where no animation moves the node
+    std::optional<Transform> rest;  // `local` when no animation moves the node
     int mesh = kUnset;
     int camera = kUnset;
     int light = kUnset;
-    // The mesh is drawn once for each of these, placed within the node's space; empty: once, as the
-    // node stands.
+    // Instance transforms of the mesh, relative to the node; empty: one instance, at the node's
+    // transform.
     std::vector<glm::mat4> instances{};
-    bool visible = true;  // false hides meshes and lights of the node and of all below it
-    // With a skin the mesh's vertices are in world space, and the node's transform does not move
-    // them. Such a mesh belongs to this node alone, or to nodes that pose it alike.
+    bool visible = true;  // false hides meshes and lights of the node and its descendants
+    // With a skin, the mesh's vertices are in world space and the node's transform does not affect
+    // them. Such a mesh is used only by this node, or by nodes that give it the same pose.
     int skin = kUnset;
     bool skin_mirrors = false;   // set by posing: the joints reverse the triangles' winding
-    std::vector<float> weights;  // of the mesh's morph targets; empty: the mesh's own
+    std::vector<float> weights;  // morph target weights; empty: those of the mesh
 };
 
 struct Scene {
     std::string file;         // for messages
-    std::string hash;         // of the file and everything else that was read for it (base/hash.h)
-    std::vector<Node> nodes;  // of the chosen scene only
+    std::string hash;         // of the file and all files that it references (base/hash.h)
+    std::vector<Node> nodes;  // only those of the selected glTF scene
     std::vector<Mesh> meshes;
     std::vector<Material> materials;
     std::vector<TextureImage> images;
@@ -125,7 +125,7 @@ struct Scene {
     std::vector<Animation> animations;
 };
 
-// JSON pointer to the node in its file; empty for a node that no file has.
+// JSON pointer to the node in its file; empty if the node is not from a file.
 std::string pointer_of(const Node& node);
 
 // Whether each node and all its ancestors are visible.

@@ -1,4 +1,4 @@
-// What surfaces are called, for cryptomattes. A surface is one geometry of one instance; they are
+// Names of surfaces, for Cryptomatte. A surface is one geometry of one instance; surfaces are
 // numbered instance by instance.
 #pragma once
 
@@ -11,14 +11,14 @@
 
 namespace hm {
 
-// The number of each instance's first surface, and at the end how many there are.
+// Index of each instance's first surface, followed by the total number of surfaces.
 std::vector<std::uint32_t> first_surfaces(const FlatScene& flat);
 
-// By surface. Surfaces that share a name are one object, material or asset.
+// Indexed by surface. Surfaces with the same name are the same object, material or asset.
 struct SurfaceNames {
-    std::vector<std::string> objects;  // the node's name, with [N] for one of its instances
+    std::vector<std::string> objects;  // node name, with [N] appended for its N-th instance
     std::vector<std::string> materials;
-    std::vector<std::string> assets;  // the name of the node at the root above it
+    std::vector<std::string> assets;  // name of the node's root ancestor
 };
 
 SurfaceNames name_surfaces(const Scene& scene, const FlatScene& flat);

@@ -12,18 +12,18 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kTiny = double(std::numeric_limits<float>::min());  // nothing, to the reference
+constexpr double kTiny = double(std::numeric_limits<float>::min());  // zero in the reference
 
-// Groups of more triangles are averaged whole, opposed directions or not: to look at all pairs
-// would let a crafted file take hours.
+// Larger groups are averaged as a whole, even with opposite directions: testing all pairs would let
+// a crafted file take hours.
 constexpr std::size_t kMaxSplitGroup = 256;
 
 struct TriangleFrame {
     vec3 along_u{0};  // unit, or zero
     vec3 along_v{0};
-    bool preserving = false;  // texture as drawn: u, v and the winding turn the same way
-    bool oriented = false;    // false: the coordinates span nothing
-    bool no_extent = false;   // two of its corners are at one place
+    bool preserving = false;  // not mirrored: UVs have the same winding as the triangle
+    bool oriented = false;    // false: zero UV area
+    bool no_extent = false;   // degenerate: two corners coincide
 };
 
 dvec3 unit_or_zero(dvec3 v) {
@@ -31,7 +31,7 @@ dvec3 unit_or_zero(dvec3 v) {
     return size > kTiny ? v / size : dvec3(0);
 }
 
-// In the plane of a normal.
+// Projected onto the plane of a normal and normalized.
 dvec3 projected(dvec3 v, dvec3 normal) {
     return unit_or_zero(v - normal * glm::dot(normal, v));
 }
@@ -40,8 +40,8 @@ TriangleFrame frame_of(const SurfacePoint& a, const SurfacePoint& b, const Surfa
     TriangleFrame frame;
     frame.no_extent =
         a.position == b.position || a.position == c.position || b.position == c.position;
-    // In float, as the reference has it: rounding decides what counts as no area. The directions
-    // are in double, which no finite input overflows.
+    // In float, as in the reference: rounding decides what counts as zero area. The directions are
+    // in double, which cannot overflow for finite input.
     const vec2 ab = b.uv - a.uv, ac = c.uv - a.uv;
     const float area = ab.x * ac.y - ab.y * ac.x;
     frame.preserving = area > 0;
@@ -62,9 +62,9 @@ TriangleFrame frame_of(const SurfacePoint& a, const SurfacePoint& b, const Surfa
 
 struct Surface {
     std::span<const SurfacePoint> points;
-    std::vector<uvec3> triangles;  // of welded points
+    std::vector<uvec3> triangles;  // indices of welded points
     std::vector<TriangleFrame> frames;
-    std::vector<std::uint32_t> neighbours;  // of edges (see pair_edges)
+    std::vector<std::uint32_t> neighbours;  // per edge (see pair_edges)
 
     std::uint32_t vertex(std::uint32_t corner) const { return triangles[corner / 3][corner % 3]; }
 };
@@ -76,8 +76,9 @@ std::uint32_t previous(std::uint32_t corner) {
     return corner % 3 == 0 ? corner + 2 : corner - 1;
 }
 
-// The corner of the same vertex in the triangle across either edge at it, or kNone. Edges are named
-// by the corner that they leave, and a neighbour runs the other way.
+// The corner of the same vertex in the triangle across the edge that leaves it, or that arrives at
+// it; kNone if there is none. Edges are indexed by their start corner; the neighbouring edge runs
+// in the opposite direction.
 std::uint32_t across_leaving(const Surface& s, std::uint32_t corner) {
     const std::uint32_t edge = s.neighbours[corner];
     return edge == kNone ? kNone : next(edge);
@@ -86,7 +87,7 @@ std::uint32_t across_arriving(const Surface& s, std::uint32_t corner) {
     return s.neighbours[previous(corner)];
 }
 
-// One corner as a group sees it: directions in the normal's plane, and the angle there.
+// One corner of a group: directions projected to the normal's plane, and the angle in that plane.
 struct Member {
     std::uint32_t corner;
     bool oriented;
@@ -109,7 +110,7 @@ Member member_of(const Surface& s, std::uint32_t corner) {
     return m;
 }
 
-// Exactly, as far as floats can tell.
+// Exactly opposite, to float precision.
 bool opposed(const Member& a, const Member& b) {
     if (!a.oriented || !b.oriented) return false;
     return float(glm::dot(a.along_u, b.along_u)) <= -1.0f ||
@@ -138,7 +139,8 @@ class Groups {
     }
 
   private:
-    // Walks around the vertex both ways, until an edge has no neighbour or the orientation turns.
+    // Walks around the vertex in both directions until an edge has no neighbour or the orientation
+    // flips.
     void gather(std::uint32_t start) {
         members_.clear();
         group_preserving_ = preserving_[start / 3];
@@ -147,7 +149,7 @@ class Groups {
             take(c);
         for (auto c = across_arriving(surface_, start); takes(c); c = across_arriving(surface_, c))
             take(c);
-        // In the order of triangles, so that sums round the same wherever the walk began.
+        // Sorted by triangle, so that the sums round the same wherever the walk started.
         std::sort(members_.begin(), members_.end(),
                   [](const Member& a, const Member& b) { return a.corner < b.corner; });
     }
@@ -177,7 +179,7 @@ class Groups {
             tangents_[m.corner] = mean([&](const Member& other) { return !opposed(m, other); });
     }
 
-    // Directions within a half space of one of them are never opposed; almost all groups are so.
+    // Directions in one half space are never opposite; this holds for almost all groups.
     bool may_be_split() const {
         const auto first = std::find_if(members_.begin(), members_.end(),
                                         [](const Member& m) { return m.oriented; });
@@ -199,9 +201,9 @@ class Groups {
 
     const Surface& surface_;
     std::vector<bool> grouped_;     // per corner
-    std::vector<bool> preserving_;  // per triangle, also those that a group has decided
+    std::vector<bool> preserving_;  // per triangle, including those set by a group
     std::vector<vec4> tangents_;
-    std::vector<Member> members_;  // of the group in work
+    std::vector<Member> members_;  // of the current group
     bool group_preserving_ = false;
 };
 

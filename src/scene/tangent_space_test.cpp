@@ -1,5 +1,5 @@
-// Against the reference program's tangents (tests/tangents/make_fixture.mjs), and on input that has
-// no good answer.
+// Tangents against the reference implementation (tests/tangents/make_fixture.mjs), and degenerate
+// input.
 #include "scene/tangent_space.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 struct TexturedMesh {
     std::vector<SurfacePoint> points;
     std::vector<uvec3> triangles;
-    std::vector<vec4> expected;  // per corner; w as glTF means it
+    std::vector<vec4> expected;  // per corner; w in glTF's convention
 };
 
 class FixtureReader {
@@ -77,8 +77,8 @@ TEST(TangentSpace, AgreesWithTheReferenceAtEveryCorner) {
         const std::vector<vec4> tangents = corner_tangents(mesh.points, mesh.triangles);
         ASSERT_EQ(tangents.size(), mesh.expected.size()) << name;
         for (std::size_t c = 0; c < tangents.size(); ++c) {
-            // The reference works in float: its directions are good to a few 1e-7 times what the
-            // mean cancels, and these meshes cancel little.
+            // The reference uses float: its directions are accurate to a few 1e-7 times the
+            // cancellation in the mean, which is small for these meshes.
             EXPECT_GT(dot(vec3(tangents[c]), vec3(mesh.expected[c])), 0.99999f)
                 << name << " corner " << c;
             EXPECT_EQ(tangents[c].w, mesh.expected[c].w) << name << " corner " << c;
@@ -97,7 +97,7 @@ std::vector<SurfacePoint> unit_square() {
 const std::vector<uvec3> kSquare = {{0, 1, 2}, {0, 2, 3}};
 
 TEST(TangentSpace, AnUprightTexturePointsUp) {
-    // v grows downwards, so cross(normal, tangent) * w is the picture's up.
+    // v increases downwards, so cross(normal, tangent) * w points up in the image.
     for (const vec4& t : corner_tangents(unit_square(), kSquare))
         EXPECT_EQ(t, vec4(1, 0, 0, 1));
     std::vector<SurfacePoint> mirrored = unit_square();
@@ -164,7 +164,7 @@ TEST(TangentSpace, WhatHasNoDirectionIsFiniteAndUnit) {
     EXPECT_TRUE(corner_tangents({}, {}).empty());
 }
 
-// A fan of `count` triangles around one vertex, texture and all turning once with it.
+// A fan of `count` triangles around one vertex; the UVs rotate with it, one full turn.
 TexturedMesh fan(std::uint32_t count) {
     TexturedMesh mesh;
     mesh.points.push_back({vec3(0), vec3(0, 0, 1), vec2(0)});
@@ -178,8 +178,8 @@ TexturedMesh fan(std::uint32_t count) {
 }
 
 TEST(TangentSpace, LargeFansTakeLinearTime) {
-    // Every pair of 100 thousand, at the hub, would be minutes. Here each corner at the rim is its
-    // side's direction, and what all of them share at the hub is still a unit vector.
+    // Testing every pair of 100 thousand at the hub would take minutes. Each rim corner has its
+    // side's direction, and the tangent that all share at the hub is still a unit vector.
     const TexturedMesh mesh = fan(100000);
     const std::vector<vec4> tangents = corner_tangents(mesh.points, mesh.triangles);
     for (std::size_t c = 0; c < tangents.size(); ++c)
@@ -188,7 +188,7 @@ TEST(TangentSpace, LargeFansTakeLinearTime) {
 }
 
 TEST(TangentSpace, ManyTrianglesOnOneEdgeTakeLinearTime) {
-    // All wind alike but the last, which is beside the first.
+    // All have the same winding except the last, which is adjacent to the first.
     std::vector<SurfacePoint> points = {{vec3(0), vec3(0, 0, 1), vec2(0)},
                                         {vec3(0, 1, 0), vec3(0, 0, 1), vec2(0, 1)}};
     std::vector<uvec3> triangles;

@@ -34,7 +34,7 @@ std::vector<vec4> tangents_with_normals(const Primitive& p, std::uint32_t uv_set
     return corner_tangents(points, p.triangles);
 }
 
-// Each corner is a vertex of its own, with its face's normal.
+// Each corner is a separate vertex with its face normal.
 std::vector<vec4> tangents_of_flat_faces(const Primitive& p, std::uint32_t uv_set) {
     std::vector<SurfacePoint> points;
     std::vector<uvec3> triangles;
@@ -57,8 +57,8 @@ Bits bits_of(std::uint32_t vertex, vec4 t) {
             std::bit_cast<std::uint32_t>(t.z), std::bit_cast<std::uint32_t>(t.w)};
 }
 
-// Hands out the tangents. The first corner of a vertex keeps it; a corner that disagrees gets a
-// copy of the vertex, which it shares with all corners of that vertex and tangent.
+// Assigns the tangents. The first corner of a vertex keeps it; a corner with a different tangent
+// gets a copy of the vertex, shared by all corners with that vertex and tangent.
 std::vector<std::uint32_t> split_vertices(Primitive& p, const std::vector<vec4>& corners) {
     std::vector<std::uint32_t> new_to_old(p.vertices.size());
     std::iota(new_to_old.begin(), new_to_old.end(), 0u);
@@ -100,7 +100,7 @@ void copy_deltas(std::vector<Delta<T>>& deltas, std::span<const std::uint32_t> c
     }
 }
 
-// Follows the primitive's vertices, which are at rest.
+// Splits the deformation like the primitive's vertices, which are in the rest pose.
 std::shared_ptr<const Deformation> split_deformation(const Primitive& p,
                                                      const std::vector<std::uint32_t>& new_to_old) {
     auto d = std::make_shared<Deformation>(*p.deformation);

@@ -54,7 +54,7 @@ TEST(Tangents, VerticesAreSplitWhereTheTextureTurns) {
 }
 
 TEST(Tangents, AVertexManyTrianglesNeedDifferentlyHasACopyForEach) {
-    // Two thin triangles each way: four tangents at one vertex, two triangles for each.
+    // Two thin triangles per direction: four tangents at one vertex, each for two triangles.
     Primitive p;
     p.has_normals = true;
     p.vertices.push_back(vertex(vec3(0), vec3(0, 0, 1), vec2(0)));
@@ -77,8 +77,8 @@ TEST(Tangents, AVertexManyTrianglesNeedDifferentlyHasACopyForEach) {
 }
 
 TEST(Tangents, FlatFacesUseTheirOwnNormals) {
-    // A roof of two squares: with its ridge's normals tangents are averaged there, without each
-    // side has its own, and the vertices on the ridge are split.
+    // A roof of two squares: with shared normals at the ridge, tangents are averaged there; without
+    // normals each side has its own tangents, and the ridge vertices are split.
     Primitive p;
     p.has_normals = true;
     for (const float x : {-1.0f, 0.0f, 1.0f})

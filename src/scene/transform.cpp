@@ -5,7 +5,7 @@ namespace {
 
 glm::dmat3 rotation_matrix(const vec4& rotation) {
     const glm::dvec4 q(rotation);
-    const double two = 2 / glm::dot(q, q);  // of any length
+    const double two = 2 / glm::dot(q, q);  // the quaternion may have any length
     const double x = q.x, y = q.y, z = q.z, w = q.w;
     return glm::dmat3(1 - two * (y * y + z * z), two * (x * y + z * w), two * (x * z - y * w),
                       two * (x * y - z * w), 1 - two * (x * x + z * z), two * (y * z + x * w),

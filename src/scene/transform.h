@@ -1,4 +1,4 @@
-// A node's own transform as its parts: translation * rotation * scale.
+// A node's local transform, decomposed: translation * rotation * scale.
 #pragma once
 
 #include "shading/lang.h"
@@ -7,17 +7,17 @@ namespace hm {
 
 struct Transform {
     vec3 translation{0};        // metres
-    vec4 rotation{0, 0, 0, 1};  // quaternion x, y, z, w; any length but zero
+    vec4 rotation{0, 0, 0, 1};  // quaternion x, y, z, w; of any nonzero length
     vec3 scale{1};
 };
 
 glm::mat4 to_matrix(const Transform& transform);
 
-// Shorter vectors have no direction: the square has lost its digits.
+// Vectors with a smaller squared length have no direction: the square has lost its precision.
 inline constexpr float kLeastSquaredLength = 1e-30f;
 
-// Whether a camera or lamp in this space still looks somewhere, along -z: not if it is scaled to
-// nothing.
+// Whether a camera or light with this transform has a valid direction along -z, which it has not if
+// scaled to zero.
 bool has_direction(const glm::mat4& to_world);
 
 }  // namespace hm

@@ -28,7 +28,7 @@ struct HalfEdge {
     }
 };
 
-// All edges, ordered by their smaller vertex; `begins` says where each vertex's edges begin.
+// All edges, sorted by their smaller vertex; `begins` holds the offset of each vertex's edges.
 struct EdgeTable {
     std::vector<std::uint32_t> begins;
     std::vector<HalfEdge> edges;
@@ -47,7 +47,8 @@ EdgeTable sort_edges(std::span<const uvec3> triangles, const std::vector<bool>& 
             }
         }
     };
-    // Counted two places on: filling moves each begin to where the next one has to be.
+    // Counts are stored at an offset of two: filling advances each begin to that of the next
+    // vertex.
     for_each_edge(
         [&](std::uint32_t low, std::uint32_t, std::uint32_t) { ++table.begins[low + 2]; });
     for (std::size_t v = 2; v < table.begins.size(); ++v)
@@ -59,14 +60,14 @@ EdgeTable sort_edges(std::span<const uvec3> triangles, const std::vector<bool>& 
     return table;
 }
 
-// Pairs the edges between the same two vertices: each takes the first one before it that runs the
-// other way and has no partner yet.
+// Pairs the edges between the same two vertices: each takes the first earlier one that runs in the
+// opposite direction and has no partner yet.
 void pair_run(std::span<const HalfEdge> run, std::span<const uvec3> triangles,
               std::vector<std::uint32_t>& partners) {
     const auto runs_upwards = [&](const HalfEdge& e) {
         return triangles[e.edge / 3][(e.edge % 3 + 1) % 3] == e.to;
     };
-    std::array<std::size_t, 2> first_free{};  // of either direction; nothing before it is free
+    std::array<std::size_t, 2> first_free{};  // per direction; no earlier edge is free
     for (std::size_t i = 0; i < run.size(); ++i) {
         const bool upwards = runs_upwards(run[i]);
         std::size_t& other = first_free[upwards ? 0 : 1];

@@ -1,4 +1,4 @@
-// Which vertices are one, and which triangles share an edge.
+// Welding: finds identical vertices, and triangles that share an edge.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace hm {
 
-// What makes two corners of a mesh the same vertex of a surface with texture coordinates.
+// Vertex attributes; corners of a textured mesh are the same vertex if all of them are equal.
 struct SurfacePoint {
     vec3 position;
     vec3 normal;
     vec2 uv;
 };
 
-// For each point the first that equals it exactly (zero has no sign).
+// For each point, the index of the first point exactly equal to it (-0 equals 0).
 std::vector<std::uint32_t> weld(std::span<const SurfacePoint> points);
 
-// The edge beside each edge, or kNone. Edge 3t + i of triangle t leads from its corner i to the
-// next. Neighbours run in opposite directions between the same two vertices (below vertex_count);
-// where more than two triangles meet, they are paired in the order in which they come. Triangles in
-// `left_out` have no neighbours; all others have three different vertices.
+// For each edge its neighbouring edge, or kNone. Edge 3t + i of triangle t runs from its corner i
+// to the next. Neighbours run in opposite directions between the same two vertices (below
+// vertex_count); where more than two triangles meet, they are paired in index order. Triangles in
+// `left_out` have no neighbours; all others must have three distinct vertices.
 std::vector<std::uint32_t> pair_edges(std::span<const uvec3> triangles,
                                       const std::vector<bool>& left_out, std::size_t vertex_count);
 

@@ -1,8 +1,8 @@
-// Compares Khronos' glTF validator with the manifest of the corpus: it must report an error in every
-// broken file but those whose manifest entry says why it does not, and none in the valid ones.
-// GLTF_VALIDATOR_HOME is as for validate_gltf.mjs.
+// Compares the Khronos glTF Validator with the manifest of the corpus: it must report an error for
+// every broken file except those whose manifest entry says why it does not, and none for valid
+// ones. GLTF_VALIDATOR_HOME is as for validate_gltf.mjs.
 //
-// Usage: node agree_with_validator.mjs FOLDER [-v]    (-v: also what the validator says of each)
+// Usage: node agree_with_validator.mjs FOLDER [-v]    (-v: also print the validator's messages)
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";

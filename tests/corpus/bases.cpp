@@ -79,9 +79,9 @@ std::string still_bytes() {
     return bytes;
 }
 
-// Bytes 0-35 positions, 36-71 a target's, 72-83 joints, 84-131 weights, 132-259 two inverse bind
-// matrices, 260-267 times, 268-291 translations, 292-323 rotations, 324-331 morph weights,
-// 332-403 cubic translations.
+// Bytes 0-35 positions, 36-71 those of a morph target, 72-83 joints, 84-131 weights, 132-259 two
+// inverse bind matrices, 260-267 times, 268-291 translations, 292-323 rotations, 324-331 morph
+// weights, 332-403 cubic translations.
 constexpr std::string_view kMoving = R"({
 "asset":{"version":"2.0"},
 "buffers":[{"byteLength":404}],
@@ -129,7 +129,7 @@ std::string moving_bytes() {
     return bytes + floats({0, 1}) + std::string(72, '\0');
 }
 
-// Bytes 0-23 positions of 16 bits, 24-35 normals of 8, 36-59 translations, 60-91 rotations,
+// Bytes 0-23 16-bit positions, 24-35 8-bit normals, 36-59 translations, 60-91 rotations,
 // 92-115 scales of two instances.
 constexpr std::string_view kExtended = R"({
 "asset":{"version":"2.0"},

@@ -1,5 +1,5 @@
-// The valid documents that the corpus's files are broken versions of: they load, and Khronos'
-// validator finds no error in them.
+// The valid base documents from which the broken files of the corpus are derived: they load, and
+// the Khronos glTF Validator reports no errors for them.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace hm::corpus {
 
-// A document's JSON without the uri of its only buffer, and that buffer.
+// The JSON of a document without the uri of its only buffer, and the buffer's bytes.
 struct Document {
     std::string_view json;
     std::string buffer;
 };
 
-// minimal   nothing but what every file has
+// minimal   only what every file must have
 // still     meshes, materials, textures, cameras, lights, nodes
 // moving    animations, a skin, morph targets
 // extended  variants, instances, quantized vertices
 Document document(Base base);
 
-// Little-endian values, one after the other.
+// Tightly packed little-endian values.
 std::string floats(const std::vector<float>& values);
 std::string shorts(const std::vector<std::uint16_t>& values);
 std::string words(const std::vector<std::uint32_t>& values);

@@ -1,5 +1,5 @@
-// One broken file of the corpus: how it is made from a valid one, which rule it breaks, what the
-// loader must say and what Khronos' validator says.
+// One broken file of the corpus: how it is derived from a valid one, which rule it violates, what
+// the loader must report and what the Khronos validator reports.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace hm::corpus {
 
-// The valid documents that files are made from (bases.h).
+// The valid documents that files are derived from (bases.h).
 enum class Base { minimal, still, moving, extended };
 
-// Changes to the document. `bytes` go into its buffer before all others are done.
+// Changes to the document. `bytes` edits change its buffer, before all other edits.
 struct Edit {
     enum class Kind { set, remove, bytes };
     Kind kind = Kind::set;
@@ -37,10 +37,10 @@ inline Edit put(std::size_t offset, std::string bytes) {
 }
 
 // What the loader does with the file.
-//   refused  an error with this code and pointer, and `message` in its text
+//   refused  fails with this error code and JSON pointer, and `message` in its text
 //   warned   loads with such a warning
-//   ignored  loads without a word
-// All but the first say why in `reason`.
+//   ignored  loads without a warning
+// All but the first give the reason in `reason`.
 struct Expected {
     enum class Outcome { refused, warned, ignored };
     Outcome outcome = Outcome::refused;
@@ -61,19 +61,19 @@ inline Expected warned(std::string pointer, std::string message, std::string rea
 inline Expected ignored(std::string reason) {
     return {Expected::Outcome::ignored, {}, {}, {}, std::move(reason)};
 }
-// Why the validator reports no error, empty where it does.
+// Why the validator reports no error; empty if it does report one.
 using Silence = std::string;
 
 struct Case {
     std::string file;     // name
-    std::string rule;     // what the file breaks
+    std::string rule;     // the rule that the file violates
     std::string section;  // of the specification, or the extension's name
     Base base = Base::still;
     Edits edits;
     Expected expected;
     Silence validator_silence;
     bool glb = false;  // the buffer is the BIN chunk; else it is a data URI
-    // Makes the file from the document's text and its buffer where the usual way will not do.
+    // Custom packing of the document's text and its buffer into a file; empty for the default.
     std::function<std::string(std::string text, std::string buffer)> pack;
 };
 

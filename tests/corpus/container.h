@@ -1,4 +1,4 @@
-// The outer forms of a glTF file: GLB, and bytes as text.
+// Containers of glTF: GLB, and bytes encoded as text.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ std::string base64(std::string_view bytes);
 std::string data_uri(std::string_view bytes,
                      std::string_view media_type = "application/octet-stream");
 
-// A PNG of one pixel.
+// A PNG image of one pixel.
 std::string tiny_png();
 
 }  // namespace hm::corpus

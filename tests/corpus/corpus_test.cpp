@@ -1,4 +1,4 @@
-// Every file of the corpus through the loader: refused with the expected code, pointer and message,
+// Loads every file of the corpus: rejected with the expected error code, JSON pointer and message,
 // or tolerated as expected.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ std::string all_lines(const Diagnostics& diagnostics) {
     return text;
 }
 
-// What is wrong with how the file was taken; empty where nothing is.
+// Describes how the loader's result differs from the expected one; empty if it does not.
 std::string mismatch(const Case& c) {
     const Expected& expected = c.expected;
     Diagnostics diagnostics;
@@ -62,7 +62,7 @@ std::string mismatch(const Case& c) {
     }
     const auto& warnings = diagnostics.warnings();
     const bool warned = std::any_of(warnings.begin(), warnings.end(), [&](const Warning& w) {
-        // A GLB's byte offsets depend on the base's size.
+        // Byte offsets in a GLB depend on the size of the base document.
         return matches(expected, w.location.starts_with("byte ") ? "" : w.location, w.message);
     });
     if (expected.outcome == Outcome::warned && warned) return {};

@@ -1,10 +1,10 @@
-// Why the loader accepts a file that breaks a rule, and why the validator does. The sentences
-// become the headings of docs/gltf-disagreements.md.
+// Reasons why the loader, or the validator, accepts a file that violates a rule. The texts become
+// the headings of docs/gltf-disagreements.md.
 #pragma once
 
 namespace hm::corpus {
 
-// The loader's.
+// Reasons of the loader.
 inline constexpr char kUnread[] = "not read: it changes no picture";
 inline constexpr char kClamped[] = "clamped to the nearest valid value, with a warning";
 inline constexpr char kEmptyIsNone[] = "an empty list means the same as none";
@@ -12,7 +12,7 @@ inline constexpr char kRepaired[] = "what is meant is clear, a warning says what
 inline constexpr char kSkipped[] = "the part is left out with a warning, the rest is drawn";
 inline constexpr char kDecodable[] = "the bytes can be read all the same";
 
-// The validator's.
+// Reasons of the validator.
 inline constexpr char kFloatRange[] =
     "the validator keeps numbers in 64 bits; the renderer works with 32";
 inline constexpr char kProseOnly[] = "a rule of the text that the validator does not check";

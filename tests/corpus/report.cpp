@@ -121,7 +121,7 @@ bool write_files(const std::vector<Case>& cases, const std::filesystem::path& fo
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
     for (const Case& c : cases) {
-        // Some file systems wait for the disk where a file is overwritten, not where it is new.
+        // Some file systems flush to disk when a file is overwritten, but not for new files.
         std::filesystem::remove(folder / c.file, ignored);
         if (!write_file(folder / c.file, make_file(c))) return false;
     }

@@ -1,5 +1,5 @@
-// What the corpus says of itself: the manifest that the validator's run is compared with, and the
-// table of files that a loader and the validator may rightly disagree about.
+// Reports about the corpus: the manifest that the validator's results are compared with, and the
+// table of files on which a loader and the validator may legitimately disagree.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@ namespace hm::corpus {
 
 std::string manifest(const std::vector<Case>& valid, const std::vector<Case>& broken);
 
-// docs/gltf-disagreements.md.
+// The content of docs/gltf-disagreements.md.
 std::string disagreements(const std::vector<Case>& broken);
 
-// The files of all cases into a folder, which is created. False where one can't be written.
+// Writes the files of all cases into a folder, which is created. False if one can't be written.
 bool write_files(const std::vector<Case>& cases, const std::filesystem::path& folder);
 bool write_file(const std::filesystem::path& path, const std::string& content);
 

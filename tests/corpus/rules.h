@@ -1,5 +1,5 @@
-// Collects the cases of the corpus. What the schema says of a property gives the usual violations
-// of it; what the specification says in words is added one by one.
+// Builds the cases of the corpus. The schema of a property gives its standard violations; rules
+// that the specification states in prose are added one by one.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace hm::corpus {
 
-// The cases that one call added, to change what is expected of them.
+// The cases added by one call, to change their expected outcome.
 class Added {
   public:
     Added(std::vector<Case>& cases, std::size_t first) : cases_(cases), first_(first) {}
@@ -22,10 +22,10 @@ class Added {
     std::size_t first_;
 };
 
-// One object of a base document.
+// One JSON object of a base document.
 class Object {
   public:
-    // `name` starts the file names: "accessor" at `pointer` "/accessors/0".
+    // `name` is the prefix of the file names, e.g. "accessor" for `pointer` "/accessors/0".
     Object(std::vector<Case>& cases, std::string name, std::string section, std::string pointer,
            Base base = Base::still)
         : cases_(cases),
@@ -34,7 +34,7 @@ class Object {
           place_(std::move(pointer)),
           base_(base) {}
 
-    // Absent; of another type; -1 and 0.5; past the end of the things counted.
+    // Violations: missing; wrong type; -1 and 0.5; index out of range.
     Added required(std::string_view key);
     Added flag(std::string_view key);
     Added text(std::string_view key);
@@ -43,17 +43,18 @@ class Object {
     Added index(std::string_view key);
     Added number(std::string_view key);
     Added object(std::string_view key);
-    // Another type, and elements of another type.
+    // Violations: wrong type, and elements of a wrong type.
     Added objects(std::string_view key);
     Added indices(std::string_view key);
-    // Another type, an element of another type, one too few and one too many of `valid`.
+    // Violations: wrong type, an element of a wrong type, one element of `valid` too few or too
+    // many.
     Added numbers(std::string_view key, const std::vector<std::string>& valid);
-    // "extensions", which every object may have; that and "name".
+    // "extensions", which every object may have; common() adds "name" too.
     Added extensions();
     Added common(bool has_name = true);
 
-    // `key` with this value; `slug` ends the file's name. The default is a refusal at the value.
-    // `unlisted` is for values outside a list.
+    // `key` with this value; `slug` is the suffix of the file name. By default the file must be
+    // rejected with an error at the value. `unlisted` is for values not in a list of allowed ones.
     Added value(std::string_view key, std::string_view slug, std::string_view json,
                 std::string_view rule, std::string_view message);
     Added unlisted(std::string_view key, std::string_view slug, std::string_view json,
@@ -75,7 +76,7 @@ class Object {
     Base base_;
 };
 
-// The tables, by topic.
+// The rule tables, by topic.
 void add_root_rules(std::vector<Case>& cases);
 void add_buffer_rules(std::vector<Case>& cases);
 void add_accessor_rules(std::vector<Case>& cases);
@@ -92,7 +93,7 @@ void add_text_rules(std::vector<Case>& cases);
 void add_glb_rules(std::vector<Case>& cases);
 void add_uri_rules(std::vector<Case>& cases);
 
-// The whole corpus, in a fixed order. Throws std::logic_error where a table has a mistake.
+// The whole corpus, in a fixed order. Throws std::logic_error if a table has an error.
 std::vector<Case> all_cases();
 // The valid documents themselves, as .gltf and as .glb.
 std::vector<Case> base_cases();

@@ -1,4 +1,4 @@
-// Accessors and what their bytes may hold (glTF 2.0, 3.6.2, 5.1 to 5.4).
+// Accessors and the allowed values of their data (glTF 2.0, 3.6.2, 5.1 to 5.4).
 #include <limits>
 
 #include "corpus/bases.h"

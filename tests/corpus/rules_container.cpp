@@ -1,4 +1,4 @@
-// The outer forms: JSON as text (glTF 2.0, 2.7, 3.1), GLB (4.4) and URIs (2.8).
+// Containers: JSON text (glTF 2.0, 2.7, 3.1), GLB (4.4) and URIs (2.8).
 #include <fmt/format.h>
 
 #include "corpus/bases.h"
@@ -24,7 +24,7 @@ void add_packed(std::vector<Case>& cases, std::string file, std::string rule, st
     cases.push_back(std::move(c));
 }
 
-// `text` with the first `from` replaced.
+// `text` with the first occurrence of `from` replaced.
 Pack replacing(std::string from, std::string to) {
     return [=](std::string text, std::string) {
         return text.replace(text.find(from), from.size(), to);
@@ -102,7 +102,7 @@ void add_glb_rules(std::vector<Case>& cases) {
         add_packed(cases, fmt::format("glb-{}.glb", slug), rule, "4.4", std::move(pack),
                    std::move(expected), std::move(silence));
     };
-    // Changes the bytes at a pointer of a good GLB.
+    // Overwrites bytes of a valid GLB at a byte offset.
     const auto patched = [](std::size_t at, std::string bytes) {
         return [=](std::string text, std::string buffer) {
             return make_glb(text, buffer).replace(at, bytes.size(), bytes);

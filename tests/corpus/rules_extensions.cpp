@@ -1,4 +1,4 @@
-// The extensions of materials, textures, meshes and nodes, each by its own specification.
+// Extensions of materials, textures, meshes and nodes, each according to its own specification.
 #include <fmt/format.h>
 
 #include "corpus/bases.h"
@@ -125,7 +125,7 @@ void add_visibility(std::vector<Case>& cases) {
         .silent(kUnknown);
 }
 
-// The first channel of the animation, aimed by a pointer instead.
+// The animation's first channel, with a pointer as its target.
 void add_pointers(std::vector<Case>& cases) {
     const std::string name = "KHR_animation_pointer";
     Object target(cases, "pointer", name, "/animations/0/channels/0/target", Base::moving);

@@ -7,7 +7,7 @@
 namespace hm::corpus {
 namespace {
 
-// A number with limits: below and above.
+// A number with limits: values below and above them.
 void add_limits(Object& object, std::string_view key, const char* below, const char* above) {
     object.number(key);
     Added huge =

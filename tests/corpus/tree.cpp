@@ -12,7 +12,7 @@ void skip_space(std::string_view text, std::size_t& at) {
     at = std::min(text.find_first_not_of(kSpace, at), text.size());
 }
 
-// A string with its quotes, or what stands before the next separator.
+// A string including its quotes, or the text up to the next separator.
 std::string_view token(std::string_view text, std::size_t& at) {
     const std::size_t begin = at;
     if (text[at] == '"')
@@ -22,7 +22,7 @@ std::string_view token(std::string_view text, std::size_t& at) {
     return text.substr(begin, at - begin);
 }
 
-// The last part of a pointer, and what stands before it.
+// Splits off the last token of a JSON pointer.
 std::pair<std::string_view, std::string_view> split(std::string_view pointer) {
     const std::size_t slash = pointer.rfind('/');
     return {pointer.substr(0, slash), pointer.substr(slash + 1)};
@@ -103,7 +103,7 @@ void Tree::set(std::string_view pointer, std::string_view value) {
     const auto [parent_pointer, key] = split(pointer);
     Tree& parent = find(parent_pointer);
     const std::size_t member = parent.member_of(key);
-    // A value put in can be changed further.
+    // Parsed, so that inserted values can be edited further.
     if (value.starts_with('{') || value.starts_with('[')) replacement = parse(value);
     if (member < parent.members_.size())
         parent.members_[member].second = std::move(replacement);

@@ -1,5 +1,5 @@
-// JSON that can be changed: what the corpus's mutations work on. Numbers keep the text they were
-// written with, and any text may be put in as a value, also one that is no JSON.
+// A mutable JSON tree for the mutations of the corpus. Numbers keep their original text, and any
+// text can be inserted as a value, even invalid JSON.
 #pragma once
 
 #include <string>
@@ -11,13 +11,14 @@ namespace hm::corpus {
 
 class Tree {
   public:
-    // `text` is trusted: well formed, without escapes in keys.
+    // `text` is not validated: it must be well formed, without escapes in keys.
     static Tree parse(std::string_view text);
 
     std::string text() const;
 
-    // `pointer` is a JSON pointer without escapes. Its parent must exist; a key that an object does
-    // not have is added, and so is an element one past an array's end. The value stands as given.
+    // `pointer` is a JSON pointer without escapes. Its parent must exist; a missing key of an
+    // object is added, and so is an element one past the end of an array. The value is used
+    // verbatim.
     void set(std::string_view pointer, std::string_view value);
     void remove(std::string_view pointer);
 
@@ -26,11 +27,11 @@ class Tree {
 
     static Tree parse_value(std::string_view text, std::size_t& at);
     Tree& find(std::string_view pointer);
-    std::size_t member_of(std::string_view key) const;  // members_.size() where absent
+    std::size_t member_of(std::string_view key) const;  // members_.size() if absent
 
     Kind kind_ = Kind::scalar;
     std::string scalar_;
-    std::vector<std::pair<std::string, Tree>> members_;  // an array's have empty keys
+    std::vector<std::pair<std::string, Tree>> members_;  // array elements have empty keys
 };
 
 }  // namespace hm::corpus

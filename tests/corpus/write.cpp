@@ -1,4 +1,4 @@
-// Edits applied, buffers embedded, bytes laid out.
+// Applies edits, embeds buffers and packs bytes.
 #include <stdexcept>
 
 #include "corpus/bases.h"

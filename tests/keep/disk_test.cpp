@@ -1,5 +1,5 @@
-// Full disks, read-only folders and folders that vanish: reported before the first sample if
-// possible, with the old file intact and the samples in the checkpoint.
+// Full disks, read-only folders and folders that disappear: reported before the first sample if
+// possible; the old file stays intact and the samples are kept in the checkpoint.
 #include <grp.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr int kUnwritable = 6;
 
-// A file size limit fails in the middle of a write, as a full disk does.
+// A file size limit (RLIMIT_FSIZE) fails in the middle of a write, like a full disk.
 std::function<void()> limit_files(rlim_t bytes) {
     return [bytes] {
         const struct rlimit limit { bytes, bytes };
@@ -28,7 +28,7 @@ std::function<void()> limit_files(rlim_t bytes) {
     };
 }
 
-// Root may write anywhere.
+// Root can write anywhere, so drop privileges.
 void become_nobody() {
     constexpr uid_t kNobody = 65534;
     if (::getuid() != 0) return;
@@ -58,7 +58,7 @@ TEST(Disk, FullWhenThePictureIsWritten) {
 TEST(Disk, TooFullForTheCheckpointIsSaidBeforehand) {
     const Folder folder;
     const std::string checkpoint = folder / "kept.exr";
-    // Would take forever.
+    // Would never finish.
     const Arguments arguments =
         with(small_render(folder / "picture.exr", 1 << 24), {"--checkpoint", checkpoint});
     const Outcome outcome = run(arguments, limit_files(20000));
@@ -80,7 +80,7 @@ TEST(Disk, AReadOnlyFolderIsSaidBeforehand) {
               "himalaya: error: " + output + ": can't be written: Permission denied\n");
 }
 
-// Like a network mount that is gone when the picture is written.
+// Like a network mount that is gone when the image is written.
 TEST(Disk, AFolderThatVanishesCostsNoSample) {
     const Folder folder;
     const std::string target = folder / "mount", output = target + "/picture.exr";
@@ -106,7 +106,7 @@ TEST(Disk, AFolderThatVanishesCostsNoSample) {
     expect_same_pixels(output, folder / "whole.exr");
 }
 
-// A checkpoint that can't be written does not end the rendering, but is reported.
+// A checkpoint that can't be written does not stop rendering, but is reported.
 TEST(Disk, ACheckpointThatVanishesIsWarnedOf) {
     const Folder folder;
     const std::string target = folder / "mount", checkpoint = target + "/kept.exr";

@@ -1,5 +1,5 @@
-// kill -9 at random moments, a hundred times: the checkpoint is always complete and never loses
-// samples, and the final picture is bit-equal to that of an uninterrupted rendering.
+// kill -9 at random times, a hundred times: the checkpoint is always complete and never loses
+// samples, and the final image is bit-identical to that of an uninterrupted rendering.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -17,7 +17,7 @@ namespace {
 constexpr int kKills = 100;
 constexpr int kSamples = 150;
 
-// The samples that a checkpoint holds, or 0 before there is one.
+// Number of samples in a checkpoint, or 0 if it does not exist yet.
 double samples_in(const std::string& checkpoint) {
     if (!std::filesystem::exists(checkpoint)) return 0;
     const auto stored = read_film(checkpoint);
@@ -53,7 +53,7 @@ TEST(Kill, AtAnyMomentLosesLittleAndCorruptsNothing) {
             if (now > before)
                 ++gone_on;
             else
-                longest *= 1.05;  // a machine that is too slow to get anywhere
+                longest *= 1.05;  // the machine is too slow to make progress
             before = now;
         }
         expect_same_pixels(output, folder / "whole.exr");

@@ -1,5 +1,5 @@
-// --samples and `himalaya merge`: any split in any order equals the whole to float rounding, and
-// parts that do not fit together are refused by name.
+// --samples and `himalaya merge`: any split merged in any order equals the whole up to float
+// rounding, and incompatible parts are rejected with an error that names them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace hm::test {
 namespace {
 
-// A part of the small picture.
+// Renders a range of samples of the small image.
 Arguments part(const std::string& output, int begin, int end, const Arguments& more = {}) {
     return with({"render", "demo:cornell", "--size", "32x32", "--threads", "1", "--device", "cpu",
                  "--samples", std::to_string(begin) + ":" + std::to_string(end), "-o", output},
@@ -37,7 +37,7 @@ class Merge : public testing::Test {
     Folder folder;
 };
 
-// Sums of n positive floats differ by no more than n roundings, and the division adds one.
+// Sums of n positive floats differ by at most n roundings, plus one for the division.
 TEST_F(Merge, AnySplitInAnyOrderIsTheWhole) {
     constexpr int kSamples = 24;
     std::mt19937 numbers(1);
@@ -72,21 +72,21 @@ TEST_F(Merge, PartsOfPartsAndCheckpoints) {
     expect_ok({"merge", folder / "bc.exr", folder / "a.exr", "-o", folder / "all.exr"});
     expect_near_pixels(folder / "all.exr", folder / "whole.exr", 13);
     EXPECT_NE(bytes_of(folder / "all.exr").find("--samples 0:12"), std::string::npos);
-    // A part can have a checkpoint and be resumed.
+    // A part can have a checkpoint and can be resumed.
     const Arguments kept = {"--checkpoint", folder / "kept.exr"};
     expect_ok(with(part(folder / "c.exr", 5, 7), kept));
     expect_ok(with(part(folder / "c.exr", 5, 12), {"--resume", folder / "kept.exr"}));
     expect_ok({"merge", folder / "a.exr", folder / "b.exr", folder / "kept.exr", "-o",
                folder / "all.exr"});
     expect_near_pixels(folder / "all.exr", folder / "whole.exr", 13);
-    // A checkpoint alone is the picture so far, bit for bit.
+    // Merging just a checkpoint gives the image so far, bit for bit.
     expect_ok(with(small_render(folder / "whole.exr", 12), {"--checkpoint", folder / "w.exr"}));
     expect_ok({"merge", folder / "w.exr", "-o", folder / "all.exr"});
     expect_same_pixels(folder / "all.exr", folder / "whole.exr");
 }
 
-// Cryptomattes are ranked with all samples, so their ids are equal, and the ids and UVs of the
-// lowest sample stay those of the first part.
+// Cryptomattes are ranked over all samples, so their ids are equal; the ids and UVs of the lowest
+// sample index are those of the first part.
 TEST_F(Merge, EveryLayer) {
     constexpr int kSamples = 16;
     const Arguments all = {"--aov", "all,variance"};
@@ -100,7 +100,7 @@ TEST_F(Merge, EveryLayer) {
     const std::string text = bytes_of(folder / "all.exr");
     EXPECT_NE(text.find("tall block"), std::string::npos) << "the cryptomattes' manifests";
     EXPECT_NE(text.find("estimatedError"), std::string::npos);
-    // And bit for bit if one rendering is resumed.
+    // Bit-identical if a single rendering is resumed.
     expect_ok(with(small_render(folder / "again.exr", 3),
                    with(all, {"--checkpoint", folder / "kept.exr"})));
     expect_ok(with(small_render(folder / "again.exr", kSamples),
@@ -133,7 +133,7 @@ TEST_F(Merge, WhatDoesNotFitIsRefused) {
     EXPECT_TRUE(read_film(a));
 }
 
-// How other programs read a part.
+// Other programs can read a part.
 TEST_F(Merge, OpenImageIoReadsParts) {
     if (std::system("command -v oiiotool >/dev/null") != 0) GTEST_SKIP() << "there is no oiiotool";
     expect_ok(part(folder / "a.exr", 0, 4, {"--crop", "3,4,19,24"}));

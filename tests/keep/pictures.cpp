@@ -50,7 +50,7 @@ void expect_near_pixels(const std::string& a, const std::string& b, float roundi
             const float allowed = (layer == "variance" ? 1000 : 1) * roundings * 0x1p-23f;
             ASSERT_EQ(one.size(), other.size());
             for (std::size_t i = 0; i < one.size(); ++i) {
-                if (one[i] == other[i]) continue;  // infinities, too
+                if (one[i] == other[i]) continue;  // also handles infinities
                 ASSERT_LE(std::abs(one[i] - other[i]), allowed * std::max(std::abs(one[i]), 1.0f))
                     << i;
             }

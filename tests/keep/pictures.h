@@ -1,16 +1,15 @@
-// Compares picture files by their pixels: the metadata contain times.
+// Compares image files by pixels only, as the metadata contain render times.
 #pragma once
 
 #include <string>
 
 namespace hm::test {
 
-// The same layers with the same bits.
+// Expects the same layers, bit for bit.
 void expect_same_pixels(const std::string& a, const std::string& b);
 
-// The same layers, equal to `roundings` float roundings of the value or of 1, whichever is larger,
-// because of cancellation. Variances, as differences of larger numbers, may differ a thousand times
-// as much.
+// Expects the same layers, equal to within `roundings` float roundings of max(value, 1), because of
+// cancellation. Variances, being differences of larger numbers, get a thousand times the tolerance.
 void expect_near_pixels(const std::string& a, const std::string& b, float roundings);
 
 }  // namespace hm::test

@@ -62,7 +62,7 @@ Outcome Program::wait() {
     if (!status_ && ::waitpid(pid_, &status, 0) == pid_) status_ = status;
     if (WIFEXITED(*status_)) outcome.code = WEXITSTATUS(*status_);
     if (WIFSIGNALED(*status_)) outcome.signal = WTERMSIG(*status_);
-    EXPECT_NE(outcome.signal, SIGABRT) << outcome.text;  // a bug that it found in itself
+    EXPECT_NE(outcome.signal, SIGABRT) << outcome.text;  // abort() means a failed internal check
     return outcome;
 }
 

@@ -1,4 +1,4 @@
-// The program as a process: started with arguments, sent signals, waited for.
+// Runs the program as a child process: starts it with arguments, sends signals, waits for it.
 #pragma once
 
 #include <sys/types.h>
@@ -14,18 +14,18 @@ namespace hm::test {
 using Arguments = std::vector<std::string>;
 
 struct Outcome {
-    int code = -1;     // of the exit; -1 where a signal ended it
-    int signal = 0;    // that ended it; 0 where it exited
-    std::string text;  // all that it wrote on standard error
+    int code = -1;     // exit code; -1 if terminated by a signal
+    int signal = 0;    // that terminated it; 0 if it exited
+    std::string text;  // everything written to stderr
 };
 
 class Program {
   public:
-    // `prepare` runs in the new process before the program does: limits, another user.
+    // `prepare` runs in the child process before exec: to set limits, or to change the user.
     explicit Program(const Arguments& arguments, const std::function<void()>& prepare = {});
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
-    ~Program();  // kills it if it still runs
+    ~Program();  // kills the process if it is still running
 
     void send(int signal) const;
     bool is_running();
@@ -37,10 +37,10 @@ class Program {
     std::optional<int> status_;
 };
 
-// Starts it and waits.
+// Starts the program and waits for it.
 Outcome run(const Arguments& arguments, const std::function<void()>& prepare = {});
 
-// An empty folder, removed at the end.
+// An empty temporary folder, removed by the destructor.
 class Folder {
   public:
     Folder();
@@ -54,10 +54,10 @@ class Folder {
 
 std::string bytes_of(const std::filesystem::path& path);
 
-// The Cornell box in a few pixels, on one thread of the CPU.
+// Arguments for a small Cornell box on one CPU thread.
 Arguments small_render(const std::string& output, int samples);
 
-// With more flags, which replace earlier values of the same flags.
+// Appends more flags, which override earlier values of the same flags.
 Arguments with(Arguments arguments, const Arguments& more);
 
 }  // namespace hm::test

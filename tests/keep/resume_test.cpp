@@ -1,5 +1,6 @@
-// --checkpoint and --resume: the same pixels whatever the history, more samples later, sequences
-// from the frame that was being rendered, and the messages of refusals.
+// --checkpoint and --resume: the same pixels regardless of interruptions, adding more samples
+// later, sequences that resume at the interrupted frame, and the error messages of rejected
+// checkpoints.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -22,7 +23,7 @@ void expect_ok(const Arguments& arguments) {
     EXPECT_EQ(outcome.code, 0) << outcome.text;
 }
 
-// The program's only output is this one line.
+// Expects that this one line is the program's only output.
 void expect_refused(const Arguments& arguments, const std::string& message, int code = 2) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, code);
@@ -43,7 +44,7 @@ TEST_F(Resume, FewerSamplesThenMoreAreAllAtOnce) {
     for (const int samples : {5, 6, 20, 37})
         expect_ok(with(small_render(output, samples), {"--resume", checkpoint}));
     expect_same_pixels(output, whole);
-    // With other threads, an interval that cuts every pass short, and a copy of the checkpoint.
+    // With another thread count, an interval that cuts every pass short, and a checkpoint copy.
     fs::remove(checkpoint);
     expect_ok(with(small_render(output, 3), {"--checkpoint", checkpoint}));
     const std::string second = folder / "second.exr";
@@ -54,7 +55,7 @@ TEST_F(Resume, FewerSamplesThenMoreAreAllAtOnce) {
     EXPECT_EQ(read_film(second)->film.mean_samples(), 37);
 }
 
-// A time limit cuts a pass short and leaves pixels with different numbers of samples.
+// A time limit cuts a pass short and leaves pixels with different sample counts.
 TEST_F(Resume, AfterTimeWasOver) {
     const Arguments large = {"--size", "150x90"};
     expect_ok(with(small_render(whole, 40), large));
@@ -153,7 +154,7 @@ TEST_F(Resume, FlagsThatMakeNoSense) {
                    folder / "no/kept.exr" + ": can't be written: there is no such folder", 6);
 }
 
-// A checkpoint names its device; here one that claims to be a GPU's.
+// A checkpoint records its device; this one claims to be from a GPU.
 TEST_F(Resume, AnotherDeviceNeedsAFlag) {
     expect_ok(small_render(whole, 6));
     expect_ok(with(small_render(output, 4), {"--checkpoint", checkpoint}));

@@ -1,4 +1,5 @@
-// Ctrl-C, SIGTERM and a closed terminal: one finishes the pass, writes and exits; two stop at once.
+// Ctrl-C, SIGTERM and a closed terminal: the first signal finishes the pass, writes the image and
+// exits; a second one stops immediately.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -22,7 +23,7 @@ void wait_for(const std::string& file, Program& program) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-// Far too many samples; the checkpoint appears once rendering has begun.
+// Practically endless; the checkpoint file appears once rendering has started.
 Arguments long_render(const std::string& output, const std::string& checkpoint) {
     return with(small_render(output, 1 << 24), {"--checkpoint", checkpoint, "--every", "0.05"});
 }
@@ -43,7 +44,7 @@ TEST(Signals, OneFinishesThePassAndWrites) {
         const std::uint32_t samples = stored->film.fewest_samples();
         EXPECT_GT(samples, 0u);
         EXPECT_EQ(samples, stored->film.most_samples());
-        // The picture is that of so many samples.
+        // The image equals one rendered with this number of samples.
         ASSERT_EQ(run(small_render(folder / "whole.exr", int(samples))).code, 0);
         expect_same_pixels(output, folder / "whole.exr");
     }
@@ -52,11 +53,11 @@ TEST(Signals, OneFinishesThePassAndWrites) {
 TEST(Signals, TwoStopAtOnce) {
     const Folder folder;
     const std::string output = folder / "picture.exr", checkpoint = folder / "kept.exr";
-    // Passes of this size take seconds, so that the first signal alone would not end it soon.
+    // Passes of this size take seconds, so the first signal alone would not stop it quickly.
     const Arguments arguments = with(long_render(output, checkpoint), {"--size", "2000x1500"});
     Program program(arguments);
     wait_for(checkpoint, program);
-    // Different signals: two equal pending ones count as one.
+    // Different signals, since equal pending signals are merged into one.
     program.send(SIGINT);
     program.send(SIGTERM);
     const Outcome outcome = program.wait();
@@ -77,7 +78,7 @@ TEST(Signals, AnIgnoredHangUpStaysIgnored) {
     EXPECT_EQ(program.wait().code, kInterrupted);
 }
 
-// The reader of the messages may exit; the picture is written nevertheless.
+// The reader of stderr may exit (SIGPIPE); the image is still written.
 TEST(Signals, AClosedPipeEndsNothing) {
     const Folder folder;
     const std::string output = folder / "picture.exr";

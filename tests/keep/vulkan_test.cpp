@@ -1,5 +1,5 @@
-// The same on a Vulkan device: the same pixels whatever the history, parts that make up the whole,
-// and a CPU that resumes what the device rendered.
+// The same on a Vulkan device: the same pixels regardless of interruptions, parts that merge into
+// the whole, and a CPU that resumes what the device rendered.
 #include <gtest/gtest.h>
 #include <signal.h>
 

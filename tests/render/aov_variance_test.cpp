@@ -1,4 +1,4 @@
-// The variance layer says how far pictures of other seeds are apart.
+// The variance layer predicts the variance between images with different seeds.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ using test::SceneBuilder;
 using test::Shot;
 using test::Studio;
 
-// A floor under a small lamp and a sky: noise from both.
+// A floor under a small lamp and a sky: both contribute noise.
 SceneBuilder lit_floor() {
     SceneBuilder b;
     b.place(b.quad(vec3(-2, 0, -2), vec3(0, 0, 4), vec3(4, 0, 0),
@@ -24,12 +24,12 @@ SceneBuilder lit_floor() {
     return b;
 }
 
-// Over many seeds, the mean of the estimated variances of a pixel's mean against the variance that
-// the means have. Of n independent means, of a roughly normal distribution, the sample variance has
-// a relative error of sqrt(2 / n); that of the average of the estimates, of 3 degrees of freedom
-// each at least, is sqrt(2 / 3 / n). With n = 600 seeds and 16 independent pixels the ratio of sums
-// is known to sqrt((2 + 2 / 3) / 9600) = 1.7 %; five of those are allowed, and one percent for
-// distributions that are not normal.
+// Over many seeds, compares the mean of the estimated variances of a pixel's mean with the actual
+// sample variance of the means. For n independent, roughly normally distributed means, the sample
+// variance has a relative error of sqrt(2 / n); the average of the estimates, each with at least 3
+// degrees of freedom, has one of sqrt(2 / 3 / n). With n = 600 seeds and 16 independent pixels, the
+// ratio of the sums has a standard error of sqrt((2 + 2 / 3) / 9600) = 1.7 %; the tolerance is five
+// of those, plus one percent for distributions that are not normal.
 TEST(AovVariance, IsThatOfTheMean) {
     Studio studio(lit_floor().scene, test::constant_environment(vec3(0.5f)));
     const CameraData camera = test::flat_camera(vec3(0.4f, 0, 0), vec3(0.2f, 1, 0.3f), 0.5f);

@@ -1,5 +1,5 @@
-// AOVs against closed forms: what is seen at a point is known, so are the parts of its light; and
-// whatever the scene, the parts sum to the whole.
+// AOVs against closed forms: the surface seen at a point and the components of its light are known;
+// and for any scene, the light passes sum to the beauty pass.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ std::vector<Aov> without_variance() {
     return *parse_aovs("all");
 }
 
-// A channel of the finished picture.
+// One channel of the finished image.
 std::vector<float> channel(const Film& film, std::string_view layer, std::string_view name) {
     std::vector<std::string> names(100, "name");
     const LayeredImage picture =
@@ -52,8 +52,8 @@ void expect_near(vec3 a, vec3 b, float tolerance) {
         EXPECT_NEAR(a[c], b[c], tolerance * std::max(1.0f, std::abs(b[c]))) << c;
 }
 
-// A room of every kind of surface and light: lamp, point light, unlit board, metal, plastic, glass
-// by blending, and an open side through which the sky shines.
+// A room with every kind of surface and light: lamp, point light, unlit board, metal, plastic,
+// alpha-blended glass, and an open side that lets in the sky.
 SceneBuilder crowded_room() {
     SceneBuilder b;
     Material metal;
@@ -103,8 +103,8 @@ CameraData room_camera() {
 constexpr const char* kPasses[] = {"emission", "diffuse_direct", "specular_direct",
                                    "diffuse_indirect", "specular_indirect"};
 
-// All are sums of the same contributions, of none below zero: each addition rounds by half a unit
-// of the last place, so n samples of at most 2 * bounces + 1 contributions in 6 parts stay within
+// All are sums of the same non-negative contributions. Each addition rounds by half an ulp, so n
+// samples with at most 2 * bounces + 1 contributions in 6 parts are within
 // n * (2 * bounces + 7) units of 2^-24.
 void expect_parts_sum_up(const Film& film, const Shot& shot) {
     const float units = float(shot.samples) * float(2 * (shot.bounces ? shot.bounces : 40) + 7);
@@ -180,7 +180,7 @@ TEST(Aovs, RangesOfSamplesJoinToTheSameFilm) {
     }
 }
 
-// A tilted board seen at one point of it, under one directional light.
+// A tilted board, seen at a single point, under one directional light.
 struct Board {
     SceneBuilder b;
     vec3 normal = normalize(vec3(0.3f, 0.2f, 1));
@@ -188,7 +188,7 @@ struct Board {
     vec3 light_color{3, 2, 1};
 
     explicit Board(const Material& material) {
-        b.material(test::lambertian(vec3(0.5f)));  // so that the board's number is not the first
+        b.material(test::lambertian(vec3(0.5f)));  // so that the board's index is not 0
         const vec3 u = normalize(cross(vec3(0, 1, 0), normal)), v = cross(normal, u);
         // The point has the texture coordinates (0.25, 0.75).
         b.place(b.quad(point - u * 1.0f - v * 3.0f, u * 4.0f, v * 4.0f, b.material(material)));
@@ -232,9 +232,9 @@ TEST(Aovs, SurfacesAreWhatTheyAre) {
     EXPECT_EQ(channel(film, "forward", "u")[0], 0.0f);
 }
 
-// Looking straight down a board that a lamp behind the camera lights at normal incidence, all
-// vectors coincide: Appendix B's lobes are base (1 - F0) (1 - metallic) / pi, and F0 / (4 pi
-// alpha^2).
+// Looking straight down at a board, lit at normal incidence by a light behind the camera, all
+// vectors coincide: the lobes of Appendix B are base (1 - F0) (1 - metallic) / pi and
+// F0 / (4 pi alpha^2).
 TEST(Aovs, DirectLightIsSplitByTheLobes) {
     for (const float metallic : {0.0f, 0.5f, 1.0f}) {
         SCOPED_TRACE(metallic);
@@ -267,7 +267,7 @@ TEST(Aovs, DirectLightIsSplitByTheLobes) {
     }
 }
 
-// Inside a closed box of albedo a and emission E, a path's k-th event adds E a^k.
+// Inside a closed box of albedo a and emission E, the k-th bounce of a path adds E a^k.
 TEST(Aovs, BouncesFallIntoTheirPasses) {
     const float albedo = 0.5f;
     const vec3 emission(1, 0.5f, 0.25f);
@@ -278,7 +278,7 @@ TEST(Aovs, BouncesFallIntoTheirPasses) {
     Studio studio(b.scene);
     CameraData camera = test::flat_camera(vec3(0.2f, -0.1f, 0.3f), vec3(1, 2, 3), 0.3f);
     camera.origin = vec3(0.2f, -0.1f, 0.3f);
-    // Every BSDF sample finds the same emission, and up to two bounces there is no roulette.
+    // Every BSDF sample hits the same emission, and Russian roulette starts only after two bounces.
     const Shot shot{.samples = 4, .bounces = 2, .strategy = kStrategyBsdf};
     const Film film = studio.render_film(camera, shot, every_aov());
     expect_near(first_pixel(film, "emission"), emission, 1e-5f);
@@ -298,10 +298,10 @@ TEST(Aovs, LightsAddUpByTheirGroups) {
     sun.name = "sun.key";
     sun.color = vec3(2, 0, 0);
     b.light(sun);
-    sun.color = vec3(0, 3, 0);  // another one of the same name
+    sun.color = vec3(0, 3, 0);  // another one with the same name
     b.light(sun);
     Studio studio(b.scene, test::constant_environment(vec3(0, 0, 4)));
-    // Light sampling picks one light per sample, with a probability: enough of them.
+    // Light sampling picks one light per sample at random, so many samples are needed.
     const Shot shot{.width = 4, .height = 4, .samples = 20000, .bounces = 1};
     const CameraData camera = test::point_camera(vec3(0), vec3(0, 0, 1));
     const Film film = studio.render_film(camera, shot, {Aov::light_groups});
@@ -312,8 +312,8 @@ TEST(Aovs, LightsAddUpByTheirGroups) {
     expect_near(first_pixel(film, "light_group_environment"), vec3(0, 0, 2), 0.03f);
 }
 
-// A board covers part of the picture: depth and position know hits only, normals are premultiplied,
-// mattes cover what alpha covers.
+// A board covers part of the image: depth and position average over hits only, normals are
+// premultiplied by alpha, and the coverage of mattes equals alpha.
 TEST(Aovs, EdgesAndBackground) {
     SceneBuilder b;
     b.place(b.quad(vec3(-1, -1, 0), vec3(1.3f, 0, 0), vec3(0, 2, 0),
@@ -362,7 +362,7 @@ SceneBuilder moving_board(vec3 offset, bool deformed) {
         b.place(mesh, glm::translate(glm::mat4(1), offset));
         return b;
     }
-    // As posing leaves it: the vertices moved.
+    // As after posing: the vertices are moved.
     Primitive& primitive = b.scene.meshes[0].primitives[0];
     Deformation deformation;
     deformation.rest = primitive.vertices;
@@ -373,7 +373,7 @@ SceneBuilder moving_board(vec3 offset, bool deformed) {
     return b;
 }
 
-// 16 pixels see 1.6 m: ten pixels per metre. Up in the picture is up in `v`.
+// 16 pixels cover 1.6 m: ten pixels per metre. Upward in the image is positive `v`.
 TEST(Aovs, MotionIsInPixelsToTheNextFrame) {
     CameraData camera = test::flat_camera(vec3(0), vec3(0, 0, 1), 0.8f);
     camera.origin = vec3(0, 0, 3);
@@ -391,11 +391,11 @@ TEST(Aovs, MotionIsInPixelsToTheNextFrame) {
         expect_motion(studio, camera, 0, 0);
         studio.set_next(moving_board(vec3(0.2f, 0.1f, 0), deformed).scene);
         expect_motion(studio, camera, 2, 1);
-        CameraData panned = camera;  // to the right: all goes to the left
+        CameraData panned = camera;  // panning right moves everything to the left
         panned.origin.x += 0.5f;
         expect_motion(studio, panned, -3, 1);
     }
-    // In perspective, what comes closer leaves the middle: at (x, y) and depth 3, then 1.5.
+    // In perspective, approaching points move away from the centre: from depth 3 to 1.5.
     camera.kind = kCameraPerspective;
     Studio studio(moving_board(vec3(0), false).scene);
     studio.set_next(moving_board(vec3(0, 0, 1.5f), false).scene);
@@ -403,7 +403,7 @@ TEST(Aovs, MotionIsInPixelsToTheNextFrame) {
     const auto u = channel(film, "forward", "u"), v = channel(film, "forward", "v");
     for (std::size_t i = 0; i < film.sums.size(); ++i) {
         if (film.find_plane(kPlaneMotion)->values[3 * i + 2] == 0) continue;
-        // Before, the point stood at the pixel, give or take half of one; after, twice as far out.
+        // First the point is at the pixel, to within half a pixel; then twice as far out.
         EXPECT_NEAR(u[i], float(i % 16) - 7.5f, 0.51f);
         EXPECT_NEAR(v[i], 7.5f - float(i / 16), 0.51f);
     }

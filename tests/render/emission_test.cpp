@@ -26,12 +26,12 @@ TEST(Emission, ConvexDiffuseBodyInAConstantSkyReadsAlbedoTimesSky) {
     const vec3 albedo(0.7f, 0.5f, 0.2f), sky(1, 2, 3);
     SceneBuilder b;
     int sphere = b.sphere(32, b.material(test::lambertian(albedo)));
-    b.scene.meshes[0].primitives[0].has_normals = false;  // facets: really convex
+    b.scene.meshes[0].primitives[0].has_normals = false;  // flat facets: truly convex
     b.place(sphere);
     Studio studio(b.scene, test::constant_environment(sky));
     CameraData camera = test::flat_camera(vec3(0), vec3(1, 2, 3), 0.6f);
     camera.origin = camera.origin * 3.0f;
-    // Every BSDF sample finds the same sky: no noise at all, pixel by pixel.
+    // Every BSDF sample hits the same sky: each pixel is free of noise.
     for (uint bounces : {0u, 1u, 4u}) {
         Shot shot{.samples = 4, .bounces = bounces, .strategy = kStrategyBsdf};
         for (const vec3& p : studio.render(camera, shot).pixels)
@@ -59,15 +59,15 @@ TEST(Emission, ClosedBoxReadsEmissionOverOneMinusAlbedo) {
             Shot shot{.samples = 96, .bounces = 0, .strategy = strategy};
             expect_radiance(studio, camera, shot, emission / (1 - albedo), 0.015);
         }
-        // Cut after three events: the first four terms of the series.
+        // Limited to three bounces: the first four terms of the series.
         float a = albedo;
         Shot cut{.samples = 64, .bounces = 3, .strategy = kStrategyBsdf};
         expect_radiance(studio, camera, cut, emission * (1 + a + a * a + a * a * a), 0.015);
     }
 }
 
-// The share of a horizontal receiver's cosine-weighted hemisphere that a parallel rectangle takes,
-// of sides x and y with one corner straight above at height 1 (the textbook form factor).
+// Form factor of a parallel rectangle with sides x and y and one corner directly above a horizontal
+// receiver at height 1: its fraction of the cosine-weighted hemisphere (textbook formula).
 double corner_factor(double x, double y) {
     double rx = std::sqrt(1 + x * x), ry = std::sqrt(1 + y * y);
     return (x / rx * std::atan(y / rx) + y / ry * std::atan(x / ry)) / (2 * std::numbers::pi);
@@ -76,7 +76,8 @@ double corner_factor(double x, double y) {
 const vec3 kFloorAlbedo(0.8f, 0.6f, 0.4f);
 const vec3 kLamp(3, 2, 1);
 
-// A floor at y = 0 and a lamp x from -0.5 to 1, z from -1 to 0.25 at y = 1, facing down or up.
+// A floor at y = 0, and a lamp at y = 1 with x from -0.5 to 1 and z from -1 to 0.25, facing down or
+// up.
 SceneBuilder lamp_over_floor(const Material& lamp, bool faces_down) {
     SceneBuilder b;
     b.place(b.quad(vec3(-2, 0, 2), vec3(4, 0, 0), vec3(0, 0, -4),
@@ -115,7 +116,7 @@ TEST(Emission, LampOverAFloorHasItsFormFactor) {
 TEST(Emission, MirroredLampStillFacesDown) {
     for (uint strategy : kStrategies) {
         SceneBuilder b = lamp_over_floor(test::emitter(kLamp), true);
-        // Mirrored in x and moved back onto its own place.
+        // Mirrored in x and moved back to its original position.
         glm::mat4 mirror =
             glm::translate(kOne, vec3(0.5f, 0, 0)) * glm::scale(kOne, vec3(-1, 1, 1));
         b.scene.nodes[1].local = mirror;
@@ -127,7 +128,7 @@ TEST(Emission, MirroredLampStillFacesDown) {
 }
 
 TEST(Emission, TexturedLampShinesByItsTexels) {
-    // Bands across the lamp: the picture's left half is x < 0.25.
+    // Stripes across the lamp: the left half of the texture is x < 0.25.
     const double left = corner_factor(0.5, 0.25) + corner_factor(0.5, 1) +
                         corner_factor(0.25, 0.25) + corner_factor(0.25, 1);
     for (uint strategy : kStrategies) {
@@ -172,7 +173,7 @@ TEST(Emission, UnlitSurfacesShowTheirColourAndShineWithIt) {
         SceneBuilder b = lamp_over_floor(m, true);
         Light sun;
         sun.kind = kLightDirectional;
-        b.light(sun, glm::rotate(kOne, 1.0f, vec3(1, 0, 0)));  // lights the floor's far side only
+        b.light(sun, glm::rotate(kOne, 1.0f, vec3(1, 0, 0)));  // lights only the back of the floor
         Studio studio(b.scene, {}, {.punctual = false});
         SCOPED_TRACE(name_of(strategy));
         expect_radiance(studio, floor_camera(), {.samples = 64, .strategy = strategy},

@@ -1,5 +1,5 @@
-// Punctual lights on a Lambertian plane: no noise. What differs from the closed form is that a
-// point is seen from a rounding error above the floor.
+// Punctual lights on a Lambertian plane: no noise. The only deviation from the closed form is that
+// shading points are offset above the floor by a rounding error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -105,7 +105,7 @@ TEST(Lights, TwoLightsAddUp) {
 }
 
 TEST(Lights, KindsOfLightAddUp) {
-    // A sun and a sky together: each is picked for a part of the samples.
+    // A sun and a sky together: each is selected for a part of the samples.
     SceneBuilder b = floor_scene();
     Light sun;
     sun.kind = kLightDirectional;

@@ -1,4 +1,4 @@
-// Normals, normal maps, mirrored instances and white materials in whole renderings.
+// Normals, normal maps, mirrored instances and white materials (white furnace) in full renderings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr float kPiFloat = std::numbers::pi_v<float>;
 Light sun_light() {
     Light sun;
     sun.kind = kLightDirectional;
-    sun.intensity = kPiFloat;  // so that a Lambertian reads albedo times cosine
+    sun.intensity = kPiFloat;  // so that Lambertian radiance is albedo times cosine
     return sun;
 }
 
@@ -55,9 +55,9 @@ TEST(Materials, WithoutNormalsASurfaceIsFlat) {
 }
 
 TEST(Materials, NormalMapsLeanRightAndUp) {
-    // One texel that leans to the picture's right and top. An upright picture has v growing
-    // downwards; the tangent space has to come out the same with and without tangents in the file,
-    // and turns with a picture that is upside down or mirrored.
+    // One texel whose normal leans to the image's right and top. In an upright image v increases
+    // downwards; the tangent space must be the same with and without tangents in the file, and must
+    // follow a texture that is upside down or mirrored.
     const vec3 texel(0.7f, 0.65f, 0.9f);
     const vec3 sun = normalize(vec3(0.3f, 0.5f, 1));
     for (float turn_u : {1.0f, -1.0f})
@@ -89,7 +89,7 @@ TEST(Materials, NormalMapsLeanRightAndUp) {
                 }
 }
 
-// A bumpy, lopsided shell lit from one side. Mirrored by its vertices, or left as it is.
+// A bumpy, asymmetric shell lit from one side; optionally mirrored by its vertices.
 SceneBuilder bumpy_shell(bool mirrored_vertices) {
     SceneBuilder b;
     Material m = test::lambertian(vec3(0.9f, 0.6f, 0.3f));
@@ -121,7 +121,7 @@ TEST(Materials, MirroredInstancesLookLikeMirroredMeshes) {
         for (bool by_vertices : {false, true}) {
             SceneBuilder b = bumpy_shell(by_vertices);
             b.place(0, by_vertices ? kOne : glm::scale(kOne, vec3(-1, 1, 1)));
-            // A second instance makes the tree keep the mesh in its own space.
+            // With a second instance, the BVH keeps the mesh in object space.
             if (other_instances) b.place(0, glm::translate(kOne, vec3(0, 50, 0)));
             add_sun(b, vec3(0.6f, 0.5f, 0.7f));
             Studio studio(b.scene, {}, {.emitters = false});
@@ -135,13 +135,13 @@ TEST(Materials, MirroredInstancesLookLikeMirroredMeshes) {
             vec3 d = pictures[0].pixels[i] - pictures[1].pixels[i];
             different += length(d) > 1e-3f * (1 + length(pictures[1].pixels[i])) ? 1 : 0;
         }
-        // Samples that hit the very edge of a triangle may fall on either side of it.
+        // Samples exactly on a triangle edge may hit either side.
         EXPECT_LE(different, 2);
         EXPECT_GT(pictures[0].mean().x, 0.05f);
     }
 }
 
-// A sphere of one material in a white sky: what every pixel reads.
+// White furnace: a sphere of one material under a white sky.
 Studio white_sphere(const Material& m, int segments, SceneBuilder& b) {
     b.place(b.sphere(segments, b.material(m)));
     return Studio(b.scene, test::constant_environment(vec3(1)));
@@ -167,7 +167,7 @@ TEST(Materials, WhiteSpheresVanishInAWhiteSky) {
             std::vector<test::Picture> replicates = test::replicate(studio, camera, shot, 16, 1);
             for (const test::Picture& p : replicates)
                 means.push_back(p.mean());
-            // The table's interpolation is good for 1 %, facets under smooth normals cost a little.
+            // Table interpolation is accurate to 1 %; facets with smooth normals lose a little.
             test::Estimate e = test::estimate(means);
             EXPECT_NEAR(e.mean.x, 1.0f, 0.005f + 6 * e.error.x);
             EXPECT_LT(e.error.x, 1e-3f);
@@ -182,8 +182,8 @@ TEST(Materials, WhiteSpheresVanishInAWhiteSky) {
 }
 
 TEST(Materials, NormalMapsLoseLittleInAWhiteSky) {
-    // Light reflected below the real surface is lost: bumps of up to 25 degrees darken by a few
-    // percent, and never brighten.
+    // Light reflected below the geometric surface is lost: bumps of up to 25 degrees darken by a
+    // few percent, and never brighten.
     SceneBuilder b;
     Material m = white(1, 0.5f);
     std::vector<vec4> texels;

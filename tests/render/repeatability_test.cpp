@@ -1,4 +1,4 @@
-// The same bits whatever the threads, the batches and the crop; the samplers share one mean.
+// Bit-identical results for any thread count, batching and crop; all samplers have the same mean.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -98,7 +98,7 @@ TEST(Repeatability, SamplersShareTheirMean) {
     shot.sampler = kSamplerSobolOwen;
     const auto owen = test::replicate(studio, room_camera(), shot, 16, 200);
     test::expect_same_pictures(independent, owen, "independent and Owen");
-    // Rotated Sobol points of different seeds share their tile; only the whole picture is compared.
+    // Rotated Sobol points of different seeds share their tile, so only image means are compared.
     shot.sampler = kSamplerSobolBlueNoise;
     const auto blue = test::replicate(studio, room_camera(), shot, 16, 300);
     std::vector<vec3> a, c;

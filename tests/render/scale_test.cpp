@@ -1,6 +1,6 @@
-// Floors, gaps and lamps of any size and at any distance from the origin, against closed forms:
-// what a ray that leaves its surface by too little (it hits the surface again: acne) or by too much
-// (it misses what touches the surface) would break. No expected value depends on the size.
+// Floors, gaps and lamps of any size and at any distance from the origin, against closed forms.
+// Tests ray origin offsets: too small an offset causes self-intersection (shadow acne), too large a
+// one misses objects that touch the surface (light leaks). No expected value depends on the size.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,9 +21,9 @@ const vec3 kAlbedo(0.8f, 0.5f, 0.2f);
 
 enum class How { vertices, translated, scaled, instanced };
 
-// A square floor through `center` with half sides of `size`, tilted about z; what makes it so large
-// and so far away is either its vertices or its node, and if instanced, a second copy far below
-// keeps it in a tree of its own.
+// A square floor centered at `center` with half extent `size`, tilted about z. Its size and
+// position come either from its vertices or from its node; if instanced, a second copy far below
+// keeps it in a BVH of its own.
 struct Floor {
     float size = 1;
     vec3 center{0};
@@ -47,7 +47,7 @@ struct Floor {
             b.place(mesh, glm::translate(glm::mat4(1), normal() * (-100 * size)) * place);
     }
 
-    // Sees the middle of the floor from above, at an angle, with pixels of a hundredth of it.
+    // Sees the middle of the floor from above at an angle; pixels are 1/100 of its size.
     CameraData camera() const {
         CameraData c = camera_look_at(center + (normal() * 0.8f + x() * 0.3f) * size, center,
                                       vec3(0, 0, -1), 1, 1);
@@ -63,8 +63,8 @@ std::string describe(const Floor& f) {
            std::to_string(int(f.how));
 }
 
-// Sizes from 1e-6 to 1e9, each at the origin, some of its size away and as far away as leaves
-// floats a resolution of a thousandth of it; nothing farther than 1e7 unless it is larger itself.
+// Sizes from 1e-6 to 1e9, each at the origin, a few sizes away, and as far away as float precision
+// still resolves 1/1000 of the size; at most 1e7 away unless the floor itself is larger.
 template <class F>
 void for_all_floors(const F& test) {
     for (float size : {1e-6f, 1e-3f, 1.0f, 50.0f, 1e3f, 1e6f, 1e9f})
@@ -74,7 +74,7 @@ void for_all_floors(const F& test) {
                     test(Floor{size, vec3(0.7f, 1, -0.4f) * (away * size), tilt, how});
 }
 
-// The sun's light arrives undiminished, down to three degrees over the floor.
+// Sunlight arrives unshadowed, down to an elevation of three degrees.
 TEST(Scale, AFloorUnderTheSunDoesNotShadowItself) {
     for_all_floors([](const Floor& floor) {
         for (float elevation : {1.5f, 0.3f, 0.05f}) {
@@ -83,7 +83,8 @@ TEST(Scale, AFloorUnderTheSunDoesNotShadowItself) {
             Light sun;
             sun.kind = kLightDirectional;
             sun.intensity = 4;
-            // Rays travel along the light's -z: down the floor's normal, turned towards its x axis.
+            // Light travels along its -z axis: against the floor's normal, tilted towards its x
+            // axis.
             const vec3 z = floor.normal() * std::sin(elevation) + floor.x() * std::cos(elevation);
             const vec3 x(0, 0, -1);
             b.light(sun, glm::mat4(vec4(x, 0), vec4(cross(z, x), 0), vec4(z, 0), vec4(0, 0, 0, 1)));
@@ -97,8 +98,8 @@ TEST(Scale, AFloorUnderTheSunDoesNotShadowItself) {
     });
 }
 
-// Under an even sky each direction that the BSDF samples brings the same light, unless the floor
-// stands in its way.
+// Under a uniform sky, every BSDF sample direction has the same radiance unless the floor occludes
+// it.
 TEST(Scale, AFloorUnderTheSkyDoesNotShadowItself) {
     for_all_floors([](const Floor& floor) {
         SceneBuilder b;
@@ -111,8 +112,7 @@ TEST(Scale, AFloorUnderTheSkyDoesNotShadowItself) {
     });
 }
 
-// A plate that floats a thousandth of its size over the floor keeps all light from below its
-// middle.
+// A plate that floats 1/1000 of its size above the floor blocks all light below its middle.
 TEST(Scale, AThinGapIsDark) {
     for (float size : {1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f, 1e9f})
         for (float away : {0.0f, 0.05f, 30.0f})
@@ -136,8 +136,8 @@ TEST(Scale, AThinGapIsDark) {
             }
 }
 
-// A lamp over a floor and a box upon it: no length is special, so a scene that is 2^20 times as
-// large or as small gives the very same picture.
+// A lamp above a floor with a box on it: there is no absolute length scale, so a scene that is 2^20
+// times larger or smaller gives exactly the same image.
 TEST(Scale, PowersOfTwoGiveTheSamePicture) {
     const auto render = [](float size) {
         SceneBuilder b;

@@ -1,6 +1,6 @@
-// Light sampling alone, BSDF sampling alone and both with MIS are three estimates of one picture.
-// Independent samples and different seeds on every side (docs/testing.md). Pixels are few and
-// large: where BSDF sampling finds a lamp only now and then, few samples are too skewed for a
+// Light sampling alone, BSDF sampling alone and MIS of both are three estimators of the same image.
+// All use independent samples and different seeds (docs/testing.md). Pixels are few and large:
+// where BSDF sampling rarely hits a lamp, the distribution for few samples is too skewed for a
 // t-test.
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using test::SceneBuilder;
 using test::Shot;
 using test::Studio;
 
-// A floor and spheres of roughness 0.3 and more.
+// A floor and spheres with roughness 0.3 and above.
 SceneBuilder rough_things() {
     SceneBuilder b;
     auto material = [&](vec3 color, float metallic, float roughness) {

@@ -1,4 +1,4 @@
-// Alpha: blend and mask against the products of their transmittances.
+// Alpha blend and mask against the product of the layers' transmittances.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ using test::Studio;
 
 const glm::mat4 kOne(1);
 
-// n black layers of the given alpha above the floor, one mesh, or one instance each.
+// n black layers of the given alpha above the floor, as one mesh or as one instance each.
 SceneBuilder layers(int n, float alpha, bool instances) {
     SceneBuilder b;
     b.place(b.quad(vec3(-5, 0, 5), vec3(10, 0, 0), vec3(0, 0, -10),
@@ -70,7 +70,7 @@ TEST(Transparency, LayersMultiplyForShadowRays) {
 }
 
 TEST(Transparency, EveryRayDrawsItsOwnChance) {
-    // Light comes down through a layer and goes up through it again: two draws, not one.
+    // Light passes a layer going down and again going up: two independent random decisions.
     const float alpha = 0.5f;
     SceneBuilder b = layers(1, alpha, false);
     Light sun;
@@ -78,14 +78,14 @@ TEST(Transparency, EveryRayDrawsItsOwnChance) {
     sun.intensity = std::numbers::pi_v<float>;
     b.light(sun, glm::rotate(kOne, -std::numbers::pi_v<float> / 2, vec3(1, 0, 0)));
     Studio studio(b.scene);
-    // Off the layer's diagonal, where a ray may meet both of its triangles.
+    // Away from the quad's diagonal, where a ray may hit both triangles.
     const vec3 point(0.3f, 0, 0.2f), from(0.2f, 1, 0.1f);
     CameraData camera = test::point_camera(point, from);
     camera.origin = point + from * 5.0f;
     test::expect_radiance(studio, camera, {.samples = 512}, vec3((1 - alpha) * (1 - alpha)));
 }
 
-// The samplers that order their samples.
+// The samplers that are sequences.
 constexpr uint kSequences[] = {kSamplerSobolOwen, kSamplerSobolBlueNoise};
 
 TEST(Transparency, SequencesAreUnbiased) {
@@ -102,8 +102,8 @@ TEST(Transparency, SequencesAreUnbiased) {
         }
 }
 
-// Of each aligned block of 64 samples exactly one draws from each 64th of [0, 1). The picture lies
-// within one triangle.
+// In each aligned block of 64 samples, exactly one random number falls into each 64th of [0, 1).
+// The image shows only one triangle.
 TEST(Transparency, AlphaIsStratifiedOverTheSamples) {
     const float alpha = 0.3f;
     SceneBuilder b = layers(1, alpha, false);
@@ -121,8 +121,8 @@ TEST(Transparency, AlphaIsStratifiedOverTheSamples) {
         }
 }
 
-// Layers of alpha 0.5 that shared the leading digit of their numbers would let through none of the
-// light or half of it, in each pixel, for any number of samples.
+// If layers of alpha 0.5 shared the leading bit of their random numbers, each pixel would transmit
+// none or half of the light, for any number of samples.
 TEST(Transparency, StratifiedLayersAreIndependent) {
     SceneBuilder b = layers(2, 0.5f, false);
     b.scene.nodes.erase(b.scene.nodes.begin());
@@ -132,7 +132,7 @@ TEST(Transparency, StratifiedLayersAreIndependent) {
     for (uint sampler : kSequences) {
         const Shot shot{
             .samples = samples, .sampler = sampler, .background = kBackgroundTransparent};
-        // Six standard deviations of as many independent draws, for 64 pixels.
+        // Six standard deviations of this many independent samples, for 64 pixels.
         for (float a : studio.render(camera, shot).alpha)
             EXPECT_NEAR(a, 0.75, 6 * std::sqrt(0.25 * 0.75 / samples)) << sampler;
     }
@@ -147,12 +147,12 @@ TEST(Transparency, CoverageIsAlphaOfATransparentPicture) {
     double alpha = 0;
     for (float a : studio.render(camera, shot).alpha)
         alpha += double(a) / 64;
-    // 65536 draws of 0.25: five standard deviations.
+    // 65536 samples with probability 0.25: five standard deviations.
     EXPECT_NEAR(alpha, 0.25, 5 * std::sqrt(0.25 * 0.75 / 65536));
 }
 
 TEST(Transparency, MasksCutByFactorTextureAndVertexColour) {
-    // alpha = factor * texel * vertex colour against the cutoff of 0.5.
+    // alpha = factor * texel * vertex colour, compared with the cutoff of 0.5.
     struct Case {
         float factor, texel, color;
         bool solid;
@@ -184,7 +184,7 @@ TEST(Transparency, CamerasSeeThroughSingleSidedBacks) {
         SceneBuilder b;
         Material m = test::lambertian(vec3(0));
         m.double_sided = two_sided;
-        // Faces +z, seen from behind; a white sky in front of it.
+        // Faces +z and is seen from behind, against a white sky.
         b.place(b.quad(vec3(-1, -1, 0), vec3(2, 0, 0), vec3(0, 2, 0), b.material(m)));
         Studio studio(b.scene, test::constant_environment(vec3(1)));
         CameraData camera = test::flat_camera(vec3(0), vec3(0, 0, -1), 0.5f);

@@ -1,5 +1,5 @@
-// Real glTF files that tests read: the repository's own scenes, and a folder of others' where there
-// is one (docs/testing.md, "Files that the tests read").
+// Real glTF files that tests read: the repository's own scenes, and an optional folder of
+// third-party assets (docs/testing.md, "Files that the tests read").
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,14 @@
 
 namespace hm::test {
 
-// The repository.
+// The repository root.
 std::filesystem::path source_folder();
 
 // $HIMALAYA_ASSETS, or ../shared/assets beside the repository; may not exist.
 std::filesystem::path assets_folder();
 
-// Every .gltf and .glb file below a folder, sorted, so that failures come in the same order
-// everywhere.
+// All .gltf and .glb files below a folder (recursive), sorted so that failures are reported in the
+// same order everywhere.
 std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& folder);
 
 }  // namespace hm::test

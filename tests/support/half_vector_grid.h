@@ -1,5 +1,5 @@
-// Bins over directions wi that suit a microfacet lobe of any width: by the slope of the half vector
-// with wo, logarithmic away from the peak, and its azimuth.
+// Histogram bins over directions wi for microfacet lobes of any width: by the slope of the half
+// vector with wo, logarithmic away from the peak, and by its azimuth.
 #pragma once
 
 #include <algorithm>
@@ -34,8 +34,8 @@ class HalfVectorGrid {
         return std::size_t(ring * kSectors + sector);
     }
 
-    // The share of each bin above the horizon for pdf(wi, h), a density per solid angle of wi.
-    // Midpoints, steps^2 in each bin.
+    // Integrates pdf(wi, h), a density per solid angle of wi, over the part of each bin above the
+    // horizon. Midpoint rule with steps^2 points per bin.
     template <class Pdf>
     std::vector<double> integrate(int steps, Pdf&& pdf) const {
         std::vector<double> shares(kBins);
@@ -63,7 +63,7 @@ class HalfVectorGrid {
     }
 
   private:
-    static constexpr double kSteepest = 200;  // slope; what is steeper falls into the last ring
+    static constexpr double kSteepest = 200;  // slope; steeper ones go into the last ring
     glm::dvec3 wo_;
     double alpha_;
     double reach_;

@@ -1,5 +1,5 @@
-// Structs that hold the tables which the files of shading/path read, so that tests call single
-// functions of the stages.
+// Host structs with the tables that the files of shading/path read, so that tests can call
+// individual functions of the stages.
 #pragma once
 
 #include <cmath>
@@ -42,7 +42,7 @@ struct SamplerHost {
     }
 };
 
-// The unit vector with this cosine to z and azimuth.
+// Unit vector from the cosine of the angle to z and the azimuth.
 inline vec3 direction(float cos_theta, float phi) {
     float s = std::sqrt(std::max(0.0f, 1 - cos_theta * cos_theta));
     return {s * std::cos(phi), s * std::sin(phi), cos_theta};

@@ -1,4 +1,4 @@
-// The light-sampling part of the stages over a flat scene, without a ray tracer.
+// Host for the light sampling code of the stages on a flat scene, without a ray tracer.
 #pragma once
 
 #include "scene/flatten.h"

@@ -133,7 +133,7 @@ void expect_radiance(Studio& studio, const CameraData& camera, Shot shot, vec3 e
         const double off = std::abs(double(e.mean[k]) - double(exact[k]));
         const double error = double(e.error[k]);
         EXPECT_LE(error, precision * double(exact[k]) + 1e-9) << "too noisy to tell";
-        // Rounding: a relative 2e-5, and what light leaks nowhere.
+        // Rounding: a relative error of 2e-5, and an absolute one of 1e-7 for black.
         const double excess = std::max(0.0, off - 2e-5 * double(exact[k]) - 1e-7);
         if (excess == 0) continue;
         const double p = error > 0 ? student_tail(excess / error, replicates - 1) : 0.0;
@@ -144,7 +144,7 @@ void expect_radiance(Studio& studio, const CameraData& camera, Shot shot, vec3 e
 
 namespace {
 
-// Welch's t of two sets of replicates with the fewer degrees of freedom of the two.
+// Welch's t-test of two sets of replicates, with the smaller of their degrees of freedom.
 double welch_p(const std::vector<vec3>& a, const std::vector<vec3>& b, std::size_t channel) {
     const Estimate ea = estimate(a), eb = estimate(b);
     const double off = std::abs(double(ea.mean[channel]) - double(eb.mean[channel]));

@@ -1,4 +1,4 @@
-// Renders small scenes with the real renderer and compares pictures as statistics.
+// Renders small scenes with the real renderer and compares images statistically.
 #pragma once
 
 #include <memory>
@@ -26,12 +26,12 @@ struct Shot {
 
 struct Picture {
     uint width, height;
-    std::vector<vec3> pixels;  // means
+    std::vector<vec3> pixels;  // mean over the samples
     std::vector<float> alpha;
     vec3 mean() const;
 };
 
-// A scene ready to be rendered. Not copied: it points into itself.
+// A scene ready for rendering. Not copyable: it contains pointers into itself.
 class Studio {
   public:
     explicit Studio(Scene scene, EnvironmentMap environment = {}, LightChoice choice = {},
@@ -40,10 +40,10 @@ class Studio {
 
     Picture render(const CameraData& camera, const Shot& shot);
     std::vector<PixelSum> render_sums(const CameraData& camera, const Shot& shot, PixelRect crop);
-    // With AOVs; light groups are found by their own rule.
+    // Renders with AOVs; light groups are determined by find_light_groups.
     Film render_film(const CameraData& camera, const Shot& shot, const std::vector<Aov>& aovs,
                      const CameraData& next_camera = {});
-    // Where everything goes: `next` is the same scene in another pose.
+    // Sets the next frame for motion vectors: `next` is the same scene in another pose.
     void set_next(const Scene& next);
     const FlatScene& flat() const { return flat_; }
     const Scene& scene() const { return scene_; }
@@ -59,22 +59,22 @@ class Studio {
 
 // A camera whose pixels all see the same point, from the direction `from`.
 CameraData point_camera(vec3 point, vec3 from);
-// A picture of half extent `half` around the point, along -from.
+// An orthographic camera of half extent `half` around the point, looking along -from.
 CameraData flat_camera(vec3 point, vec3 from, float half);
 
-// Means of independently seeded replicates, and what they say of the true mean.
+// Mean of independently seeded replicates, with its standard error.
 struct Estimate {
     vec3 mean{0};
-    vec3 error{0};  // of the mean, one standard deviation
+    vec3 error{0};  // standard error of the mean
 };
 Estimate estimate(const std::vector<vec3>& replicates);
 
-// The mean over all pixels of independently seeded pictures agrees with an exact value: within
-// what chance allows at this suite's level, and measured to `precision`, relative.
+// Expects that the mean over all pixels of independently seeded images agrees with an exact value:
+// within the suite's significance level, and with a relative measurement error of `precision`.
 void expect_radiance(Studio& studio, const CameraData& camera, Shot shot, vec3 exact,
                      double precision = 0.01, int replicates = 16);
 
-// Two ways to render agree: each pixel, and the mean over all of them.
+// Expects that two rendering methods agree: in each pixel, and in the mean over all pixels.
 void expect_same_pictures(const std::vector<Picture>& a, const std::vector<Picture>& b,
                           const std::string& what);
 std::vector<Picture> replicate(Studio& studio, const CameraData& camera, Shot shot, int count,

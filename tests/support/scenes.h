@@ -1,4 +1,4 @@
-// Scenes built in code: few triangles, known answers.
+// Scenes built in code: few triangles, known results.
 #pragma once
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -10,10 +10,10 @@
 
 namespace hm::test {
 
-// A pure Lambertian: no specular layer.
+// Pure Lambertian: no specular lobe.
 Material lambertian(vec3 albedo);
 
-// Emits and reflects nothing.
+// Emissive only, reflects nothing.
 Material emitter(vec3 radiance);
 
 class SceneBuilder {
@@ -23,8 +23,8 @@ class SceneBuilder {
     int material(const Material& m);
     int image(std::uint32_t width, std::uint32_t height, const std::vector<vec4>& texels);
 
-    // Meshes. A quad has the corners corner, + u, + u + v, + v, faces cross(u, v), and has texture
-    // coordinates running along u and v. A sphere of radius 1 has its poles on z.
+    // Meshes. A quad has the corners corner, + u, + u + v, + v, normal cross(u, v), and texture
+    // coordinates along u and v. The sphere has radius 1 and its poles on z.
     int quad(vec3 corner, vec3 u, vec3 v, int material);
     int sphere(int segments, int material);
     int mesh(std::vector<Primitive> primitives);
@@ -37,12 +37,12 @@ class SceneBuilder {
 // Axis-aligned cube of half extent 1 as one mesh, facing inwards or outwards.
 int add_cube(SceneBuilder& builder, bool inwards, int material);
 
-// An rgba32f map; the same radiance all around for 1 x 1.
+// An rgba32f environment map; constant radiance if 1 x 1.
 FloatImage environment_image(std::uint32_t width, std::uint32_t height,
                              const std::vector<vec3>& texels);
 EnvironmentMap constant_environment(vec3 radiance);
 
-// Flattens and expects no warning.
+// Flattens and expects no warnings.
 FlatScene flatten_quietly(const Scene& scene, EnvironmentMap environment = {},
                           LightChoice choice = {});
 

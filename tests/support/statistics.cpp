@@ -7,7 +7,8 @@
 namespace hm::test {
 namespace {
 
-// Lower series and upper continued fraction (Lentz), each where it converges fast.
+// Series for the lower and continued fraction (Lentz) for the upper gamma function, each used where
+// it converges fast.
 double gamma_p_series(double a, double x) {
     double term = 1 / a, sum = term;
     for (int n = 1; n < 10000 && term > sum * 1e-16; ++n) {
@@ -35,7 +36,7 @@ double gamma_q_fraction(double a, double x) {
     return h * std::exp(-x + a * std::log(x) - std::lgamma(a));
 }
 
-// The incomplete beta function's continued fraction (Lentz), for x < (a + 1) / (a + b + 2).
+// Continued fraction (Lentz) of the incomplete beta function, for x < (a + 1) / (a + b + 2).
 double beta_fraction(double a, double b, double x) {
     constexpr double kTiny = 1e-300;
     double c = 1, d = 1 - (a + b) * x / (a + 1);
@@ -87,7 +88,7 @@ ChiSquare chi_square(std::span<const std::uint64_t> observed, std::span<const do
     ChiSquare result;
     int bins = 0;
     double o = 0, e = 0;
-    double last_o = 0, last_e = 0;  // the last bin that was closed, to take what is left over
+    double last_o = 0, last_e = 0;  // last closed bin, which takes the leftover
     auto close = [&] {
         result.statistic += (o - e) * (o - e) / e;
         ++bins;
@@ -115,7 +116,7 @@ ChiSquare chi_square(std::span<const std::uint64_t> observed, std::span<const do
 ChiSquare Histogram::test(std::span<const double> shares) const {
     std::vector<std::uint64_t> observed = counts;
     std::vector<double> expected(shares.begin(), shares.end());
-    // Quadrature leaves a little of the mass unaccounted for: that is no bin of its own.
+    // Quadrature error leaves a little mass unaccounted for, which must not become a bin.
     double left = 1 - std::accumulate(shares.begin(), shares.end(), 0.0);
     if (rest > 0 || left * double(total) >= 5) {
         observed.push_back(rest);

@@ -1,5 +1,5 @@
-// Goodness of fit and significance for the statistical tests. All tests use fixed seeds, so a
-// result never changes from run to run; the thresholds say how unlucky a correct program would be.
+// Goodness of fit and significance for the statistical tests. All tests use fixed seeds, so results
+// never change between runs; the thresholds are the false positive rate of a correct program.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace hm::test {
 
-// Numbers for tests, by std::mt19937_64's raw output: the same on every standard library.
+// Random numbers for tests from the raw output of std::mt19937_64: the same with every standard
+// library.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -26,18 +27,18 @@ class Random {
 // The regularised upper incomplete gamma function Q(a, x), a > 0, x >= 0.
 double gamma_q(double a, double x);
 
-// The chance that a standard normal number lies farther from zero than z.
+// Two-sided tail probability of the standard normal distribution beyond z.
 double normal_tail(double z);
 
-// The chance that |t| of Student's distribution with so many degrees of freedom is larger.
+// Two-sided tail probability of Student's t distribution with this number of degrees of freedom.
 double student_tail(double t, int degrees);
 
-// All statistical comparisons of the suite together wrongly fail with this chance; each gets its
-// share by Šidák's correction.
+// Family-wise error rate: the probability that any statistical comparison of the suite fails
+// wrongly. Each comparison gets its level by the Šidák correction.
 inline constexpr double kFamilyLevel = 1e-3;
 inline constexpr int kFamilySize = 4000;
 
-// The level of one comparison if there are `count`, for `level` in all.
+// Significance level of one of `count` comparisons, for a family-wise `level`.
 double sidak_level(double level, int count);
 inline double single_level() {
     return sidak_level(kFamilyLevel, kFamilySize);
@@ -49,12 +50,12 @@ struct ChiSquare {
     double p_value = 1;
 };
 
-// Pearson's test of counts against expected counts. Neighbouring bins are merged until each expects
-// five.
+// Pearson's chi-square test of observed against expected counts. Neighbouring bins are merged until
+// each has an expected count of at least five.
 ChiSquare chi_square(std::span<const std::uint64_t> observed, std::span<const double> expected);
 
-// Counts over bins; merged with the expected shares when tested. Shares need not sum to one: what
-// is missing belongs to the bin `rest` of samples that fall outside.
+// Counts per bin, tested against expected probabilities. These need not sum to one: the remainder
+// is the probability of the bin `rest`, for samples outside of all bins.
 struct Histogram {
     std::vector<std::uint64_t> counts;
     std::uint64_t rest = 0;

@@ -1,4 +1,4 @@
-// The statistics themselves against published values, and that a wrong density is noticed.
+// The statistical functions against published values, and that a wrong pdf is detected.
 #include "support/statistics.h"
 
 #include <gtest/gtest.h>
@@ -9,13 +9,14 @@ namespace hm::test {
 namespace {
 
 TEST(Statistics, TailsOfKnownDistributions) {
-    // Chi-squared: 3.841 of 1, 18.307 of 10 and 124.342 of 100 degrees are the 5 % points.
+    // Chi-square 5 % critical values: 3.841 for 1, 18.307 for 10, 124.342 for 100 degrees of
+    // freedom.
     EXPECT_NEAR(gamma_q(0.5, 0.5 * 3.841459), 0.05, 1e-6);
     EXPECT_NEAR(gamma_q(5, 0.5 * 18.307038), 0.05, 1e-6);
     EXPECT_NEAR(gamma_q(50, 0.5 * 124.342113), 0.05, 1e-6);
     EXPECT_NEAR(gamma_q(1, 20), std::exp(-20.0), 1e-15);
-    // Student: 2.131450 of 15 and 12.7062 of 1 degrees leave 5 % outside; 4.0728 of 15 leaves 0.1
-    // %.
+    // Student's t, two-sided: 5 % beyond 2.131450 for 15 and 12.7062 for 1 degree of freedom; 0.1 %
+    // beyond 4.0728 for 15.
     EXPECT_NEAR(student_tail(2.131450, 15), 0.05, 1e-6);
     EXPECT_NEAR(student_tail(12.706205, 1), 0.05, 1e-6);
     EXPECT_NEAR(student_tail(4.072765, 15), 0.001, 1e-7);
@@ -46,7 +47,7 @@ TEST(Statistics, SmallBinsAreMergedAndMissingMassIsABin) {
         h.add_rest();
     const std::vector<double> shares = {0.9, 0.01, 0.01, 0.0};
     ChiSquare c = h.test(shares);
-    // Bins 1 and 2 expect two and merge with the eight that are missing: 96 of 90, 4 of 10.
+    // Bins 1 and 2 expect two and merge with the missing eight: 96 for 90 expected, 4 for 10.
     EXPECT_EQ(c.degrees, 1);
     EXPECT_NEAR(c.statistic, 36.0 / 90 + 36.0 / 10, 1e-9);
 }
