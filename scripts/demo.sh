@@ -22,14 +22,14 @@ fi
 (cd "$root" && cmake --preset release --log-level=WARNING "${options[@]}")
 cmake --build "$build" --target himalaya -j "$(nproc)"
 
-step "3 of 4: preview"
-"$himalaya" render demo:hero -o demo-preview.png --size 320x180 --spp 16
-
-step "4 of 4: picture"
 denoise=(--denoise)
 if [ ! -e "$root/build/oidn" ]; then
-    echo "demo: the denoiser could not be installed, so the picture stays noisy" >&2
+    echo "demo: the denoiser could not be installed, so the pictures stay noisy" >&2
     denoise=()
 fi
+step "3 of 4: preview"
+"$himalaya" render demo:hero -o demo-preview.png --size 320x180 --spp 16 "${denoise[@]}"
+
+step "4 of 4: picture"
 "$himalaya" render demo:hero -o demo.png -o demo.exr "${denoise[@]}"
 printf '\ndemo: %s/demo.png and demo.exr, in %d:%02d\n' "$PWD" $((SECONDS / 60)) $((SECONDS % 60))
