@@ -21,7 +21,7 @@
 #include "base/machine.h"
 #include "cpu/render.h"
 #include "gltf/load.h"
-#include "image/metrics.h"
+#include "compare/metrics.h"
 #include "image/read.h"
 #include "scene/camera.h"
 #include "scene/light_groups.h"

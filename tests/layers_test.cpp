@@ -23,15 +23,22 @@ const std::map<std::string, Names> kMayInclude = {
     {"scene", {"base", "shading", "image"}},
     {"gltf", {"base", "shading", "image", "scene"}},
     {"bvh", {"base", "shading"}},
+    {"compare", {"base", "image"}},
     {"film", {"base", "shading", "image"}},
+    {"denoise", {"base", "image", "compare", "shading"}},  // the last two: its tests
+    {"output", {"base", "shading", "image", "film"}},
     {"cpu", {"base", "shading", "image", "scene", "bvh", "film"}},
     {"rhi", {"base"}},
     {"graph", {"base", "rhi"}},
     {"gpu", {"base", "shading", "image", "scene", "film", "rhi", "graph"}},
-    {"session", {"base", "shading", "image", "scene", "gltf", "film", "cpu", "rhi", "gpu"}},
-    {"library", {"base", "shading", "image", "scene", "gltf", "film", "session"}},
+    {"session",
+     {"base", "shading", "image", "scene", "gltf", "film", "denoise", "output", "cpu", "rhi",
+      "gpu"}},
+    {"library",
+     {"base", "shading", "image", "scene", "gltf", "film", "denoise", "output", "session"}},
     {"app",
-     {"base", "shading", "image", "scene", "gltf", "bvh", "film", "cpu", "rhi", "gpu", "session"}},
+     {"base", "shading", "image", "scene", "gltf", "bvh", "compare", "film", "denoise", "output",
+      "cpu", "rhi", "gpu", "session"}},
 };
 
 // Outside libraries that one room alone knows, by the first part of the include's path.

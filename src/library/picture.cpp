@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 #include <himalaya/picture.h>
 
-#include "film/write.h"
 #include "library/errors.h"
 #include "library/picture_impl.h"
+#include "output/write.h"
 
 namespace himalaya {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/choice.h"
-#include "film/denoise.h"
+#include "denoise/denoise.h"
 #include "image/layers.h"
 #include "shading/color.h"
 #include "shading/structs.h"

@@ -1,7 +1,7 @@
 // Denoises a layered picture, guided by the albedo and normal layers in its file.
 #pragma once
 
-#include "film/denoise.h"
+#include "denoise/denoise.h"
 #include "image/layers.h"
 
 namespace hm {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "film/tonemap.h"
+#include "output/tonemap.h"
 
 namespace hm {
 namespace {

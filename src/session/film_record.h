@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "film/tonemap.h"
 #include "image/layers.h"
+#include "output/tonemap.h"
 #include "scene/surface_names.h"
 #include "session/fingerprint.h"
 

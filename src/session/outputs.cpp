@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "film/write.h"
+#include "output/write.h"
 #include "session/checkpoint.h"
 #include "session/pictures.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "film/denoise.h"
+#include "denoise/denoise.h"
 #include "film/film.h"
 #include "session/film_record.h"
 #include "session/settings.h"

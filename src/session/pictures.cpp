@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "film/layers.h"
-#include "film/tonemap.h"
+#include "output/layers.h"
+#include "output/tonemap.h"
 #include "session/denoise_layers.h"
 
 namespace hm {

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "film/denoise.h"
+#include "denoise/denoise.h"
 #include "film/film.h"
-#include "film/write.h"
+#include "output/write.h"
 #include "session/film_record.h"
 
 namespace hm {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "film/denoise.h"
+#include "denoise/denoise.h"
 #include "film/film.h"
 #include "image/layers.h"
 #include "shading/color.h"

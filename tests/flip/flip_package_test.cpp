@@ -10,7 +10,7 @@
 #include <string>
 
 #include "base/files.h"
-#include "image/flip.h"
+#include "compare/flip.h"
 #include "image/read.h"
 
 namespace hm {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "film/layers.h"
+#include "output/layers.h"
 #include "scene/light_groups.h"
 #include "support/pictures.h"
 

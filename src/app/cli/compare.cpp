@@ -13,10 +13,10 @@
 #include "app/cli/output.h"
 #include "app/cli/values.h"
 #include "base/files.h"
-#include "film/write.h"
-#include "image/error_map.h"
+#include "compare/error_map.h"
 #include "image/picture_file.h"
 #include "image/write.h"
+#include "output/write.h"
 
 namespace hm::cli {
 namespace {

@@ -13,8 +13,8 @@
 #include "app/cli/values.h"
 #include "base/files.h"
 #include "base/json_writer.h"
-#include "film/write.h"
 #include "image/layers.h"
+#include "output/write.h"
 #include "session/choices.h"
 
 namespace hm::cli {

@@ -9,7 +9,7 @@
 
 #include "app/cli/cli11.h"
 #include "app/cli/exit_code.h"
-#include "film/denoise.h"
+#include "denoise/denoise.h"
 #include "session/denoise_layers.h"
 #include "shading/color.h"
 

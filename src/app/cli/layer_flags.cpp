@@ -4,7 +4,7 @@
 
 #include "app/cli/flag.h"
 #include "app/cli/values.h"
-#include "film/layers.h"
+#include "output/layers.h"
 #include "session/choices.h"
 
 namespace hm::cli {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "film/tonemap.h"
-#include "image/error_map.h"
-#include "image/ssim.h"
+#include "compare/error_map.h"
+#include "compare/ssim.h"
+#include "output/tonemap.h"
 #include "shading/math.h"
 
 namespace hm::cli {

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "base/choice.h"
-#include "image/flip.h"
+#include "compare/flip.h"
+#include "compare/metrics.h"
+#include "compare/z_test.h"
 #include "image/layers.h"
-#include "image/metrics.h"
 #include "image/plane.h"
-#include "image/z_test.h"
 
 namespace hm::cli {
 

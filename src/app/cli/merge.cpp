@@ -10,7 +10,7 @@
 #include "app/cli/output.h"
 #include "app/cli/output_flag.h"
 #include "base/files.h"
-#include "film/write.h"
+#include "output/write.h"
 #include "session/checkpoint.h"
 #include "session/merge.h"
 #include "session/pictures.h"

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "film/write.h"
+#include "output/write.h"
 
 namespace hm::cli {
 

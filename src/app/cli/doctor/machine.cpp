@@ -12,8 +12,8 @@
 #include <system_error>
 
 #include "cpu/render.h"
-#include "film/denoise.h"
-#include "film/oidn_library.h"
+#include "denoise/denoise.h"
+#include "denoise/oidn_library.h"
 
 namespace hm::cli {
 namespace {

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "film/cryptomatte.h"
 #include "film/film.h"
 #include "image/layers.h"
+#include "output/cryptomatte.h"
 
 namespace hm {
 

@@ -1,4 +1,4 @@
-#include "film/tonemap.h"
+#include "output/tonemap.h"
 
 #include <oneapi/tbb/parallel_for.h>
 

@@ -1,4 +1,4 @@
-#include "image/flip.h"
+#include "compare/flip.h"
 
 #include <oneapi/tbb/parallel_for.h>
 

@@ -1,4 +1,4 @@
-#include "film/finite.h"
+#include "denoise/finite.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "image/error_map.h"
+#include "compare/error_map.h"
 
 #include <gtest/gtest.h>
 

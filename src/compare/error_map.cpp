@@ -1,16 +1,16 @@
-#include "image/error_map.h"
+#include "compare/error_map.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/check.h"
-#include "image/metrics.h"
+#include "compare/metrics.h"
 
 namespace hm {
 namespace {
 
 constexpr std::uint8_t kMagma[256][3] = {
-#include "image/magma.inl"
+#include "compare/magma.inl"
 };
 
 template <class Error>

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "base/result.h"
-#include "film/tonemap.h"
 #include "image/layers.h"
 #include "image/write.h"
+#include "output/tonemap.h"
 
 namespace hm {
 

@@ -1,4 +1,4 @@
-#include "film/layers.h"
+#include "output/layers.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "image/metrics.h"
+#include "compare/metrics.h"
 
 #include <algorithm>
 #include <cmath>

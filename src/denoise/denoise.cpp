@@ -1,4 +1,4 @@
-#include "film/denoise.h"
+#include "denoise/denoise.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/check.h"
-#include "film/finite.h"
-#include "film/oidn_library.h"
+#include "denoise/finite.h"
+#include "denoise/oidn_library.h"
 
 namespace hm {
 namespace {

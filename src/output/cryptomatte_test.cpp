@@ -1,5 +1,5 @@
 // Cryptomatte: the hash against published values, ids that decode to names, coverage that sums up.
-#include "film/cryptomatte.h"
+#include "output/cryptomatte.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

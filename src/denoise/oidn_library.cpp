@@ -1,4 +1,4 @@
-#include "film/oidn_library.h"
+#include "denoise/oidn_library.h"
 
 #include <dlfcn.h>
 #include <fmt/format.h>

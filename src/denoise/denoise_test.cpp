@@ -1,5 +1,5 @@
 // Denoising with the library, where scripts/fetch-oidn.sh has put it, and what is said without.
-#include "film/denoise.h"
+#include "denoise/denoise.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <optional>
 #include <random>
 
-#include "film/oidn_library.h"
-#include "image/metrics.h"
+#include "compare/metrics.h"
+#include "denoise/oidn_library.h"
 #include "shading/lang.h"
 
 namespace hm {

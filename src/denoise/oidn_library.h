@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "film/oidn_api.h"
+#include "denoise/oidn_api.h"
 
 namespace hm::oidn {
 

@@ -1,5 +1,5 @@
 // What FLIP must be by its definition; tests/flip compares it with the published package.
-#include "image/flip.h"
+#include "compare/flip.h"
 
 #include <gtest/gtest.h>
 

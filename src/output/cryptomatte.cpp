@@ -1,4 +1,4 @@
-#include "film/cryptomatte.h"
+#include "output/cryptomatte.h"
 
 #include <fmt/format.h>
 

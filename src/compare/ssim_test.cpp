@@ -1,4 +1,4 @@
-#include "image/ssim.h"
+#include "compare/ssim.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "image/z_test.h"
+#include "compare/z_test.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "film/write.h"
+#include "output/write.h"
 
 #include <string>
 
