@@ -19,9 +19,9 @@
 #include "base/check.h"
 #include "base/files.h"
 #include "base/machine.h"
+#include "compare/metrics.h"
 #include "cpu/render.h"
 #include "gltf/load.h"
-#include "compare/metrics.h"
 #include "image/read.h"
 #include "scene/camera.h"
 #include "scene/light_groups.h"
@@ -42,7 +42,8 @@ Result<EnvironmentMap> read_environment(const std::string& name) {
     if (name == "none") return make_environment(default_environment(), 0, 0);
     if (name.empty()) return make_environment(default_environment(), 0, 1);
     HM_TRY_ASSIGN(ByteArray bytes, read_file(name));
-    HM_TRY_ASSIGN(FloatImage image, read_environment_image(bytes, name));
+    ReadWarnings warnings;
+    HM_TRY_ASSIGN(FloatImage image, read_environment_image(bytes, name, warnings));
     return make_environment(image, 0, 1);
 }
 

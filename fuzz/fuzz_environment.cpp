@@ -5,7 +5,9 @@
 #include "image/read.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const auto image = hm::read_environment_image(hm::fuzz::bytes_of(data, size), "fuzzed");
+    hm::ReadWarnings warnings;
+    const auto image =
+        hm::read_environment_image(hm::fuzz::bytes_of(data, size), "fuzzed", warnings);
     if (!image) {
         HM_CHECK(!image.error().message.empty(), "an error says why");
         return 0;

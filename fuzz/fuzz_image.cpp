@@ -49,7 +49,8 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto bytes = hm::fuzz::bytes_of(data, size);
-    const auto image = hm::read_texture_image(bytes, "fuzzed");
+    hm::ReadWarnings warnings;
+    const auto image = hm::read_texture_image(bytes, "fuzzed", warnings);
     if (!image) {
         HM_CHECK(!image.error().message.empty(), "an error says why");
         return 0;

@@ -134,8 +134,9 @@ Result<std::vector<TextureImage>> read_images(const Json& root, Source& source,
     }
     HM_TRY(check_memory_of_decoding(encoded, source));
     std::vector<Result<TextureImage>> read(chosen.size());
+    std::vector<ReadWarnings> warnings(chosen.size());
     tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
-        read[i] = read_texture_image(encoded[i].bytes, encoded[i].name);
+        read[i] = read_texture_image(encoded[i].bytes, encoded[i].name, warnings[i]);
         encoded[i].storage = {};
     });
     std::vector<TextureImage> images;
@@ -145,6 +146,8 @@ Result<std::vector<TextureImage>> read_images(const Json& root, Source& source,
         if (!read[i])
             return item.fail(read[i].error().kind, key_of(item),
                              std::move(read[i].error().message));
+        for (std::string& warning : warnings[i])
+            source.warn(item.pointer_of(key_of(item)), std::move(warning));
         images.push_back(std::move(*read[i]));
     }
     return images;

@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "image/image.h"
 #include "image/layers.h"
+#include "image/read.h"
 #include "image/write.h"
 
 namespace hm {
@@ -30,7 +31,10 @@ Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::st
 // stored.
 enum class ExrValues { cleaned, stored };
 
-Result<TextureImage> decode_png(Bytes bytes, std::string_view name);
+// Where the fast decoder refuses a file, libspng decides whether its pixels are whole.
+Result<TextureImage> decode_png(Bytes bytes, std::string_view name, ReadWarnings& warnings);
+// Ignores damaged ancillary chunks and surplus bytes. `sixteen_bits`: IHDR's depth is 16.
+Result<TextureImage> decode_png_leniently(Bytes bytes, bool sixteen_bits);
 Result<TextureImage> decode_jpeg(Bytes bytes, std::string_view name);
 Result<FloatImage> decode_hdr(Bytes bytes, std::string_view name);
 Result<FloatImage> decode_exr(Bytes bytes, std::string_view name, ExrValues values);

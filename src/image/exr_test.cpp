@@ -57,7 +57,8 @@ TEST(Exr, EnvironmentIsCleaned) {
     image.pixels[1][0] = -kInfinity;
     const auto bytes = encode_exr(image, true, {});
     ASSERT_TRUE(bytes);
-    const auto clean = read_environment_image(*bytes, "e");
+    ReadWarnings warnings;
+    const auto clean = read_environment_image(*bytes, "e", warnings);
     ASSERT_TRUE(clean);
     EXPECT_EQ(clean->pixels[0][0], 0.0f);
     EXPECT_EQ(clean->pixels[0][1], 0.0f);

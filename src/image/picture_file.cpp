@@ -36,9 +36,10 @@ Result<PictureFile> read_picture_file(const std::filesystem::path& path) {
     }
     FloatImage image;
     if (format == FileFormat::hdr) {
-        HM_TRY_ASSIGN(image, read_environment_image(bytes, path.string()));
+        HM_TRY_ASSIGN(image, read_environment_image(bytes, path.string(), file.warnings));
     } else {
-        HM_TRY_ASSIGN(const TextureImage texture, read_texture_image(bytes, path.string()));
+        HM_TRY_ASSIGN(const TextureImage texture,
+                      read_texture_image(bytes, path.string(), file.warnings));
         image = std::visit([](const auto& stored) { return over_black(stored); }, texture.image());
         file.encoded = true;
     }

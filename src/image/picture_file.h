@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "image/layers.h"
+#include "image/read.h"
 
 namespace hm {
 
@@ -12,6 +13,7 @@ struct PictureFile {
     LayeredImage picture;
     // sRGB in [0, 1], as PNG and JPEG have it, with what is transparent over black; else linear.
     bool encoded = false;
+    ReadWarnings warnings;
 };
 
 // OpenEXR with all its layers; Radiance, PNG and JPEG as one. Fails as read_image and read_layers.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <new>
 #include <optional>
 #include <span>
@@ -52,6 +53,10 @@ struct Chunk {
     bool intact;
 };
 
+std::string_view chunk_type(Bytes chunk) {
+    return {reinterpret_cast<const char*>(chunk.data()) + 4, 4};
+}
+
 // Takes the first chunk off `rest`; nothing at the end or where the chunk is truncated.
 std::optional<Chunk> next_chunk(Bytes& rest) {
     constexpr std::size_t kFrame = 12;  // length, type, checksum
@@ -59,7 +64,7 @@ std::optional<Chunk> next_chunk(Bytes& rest) {
     const std::size_t length = big_endian(rest.first(4));
     if (length > rest.size() - kFrame) return std::nullopt;
     const Bytes summed = rest.subspan(4, 4 + length);
-    const std::string_view type(reinterpret_cast<const char*>(summed.data()), 4);
+    const std::string_view type = chunk_type(rest);
     Chunk chunk{type, summed.subspan(4), true};
     if (type != "IDAT")  // these are large, and the decoder checks them
         chunk.intact = checksum(summed) == big_endian(rest.subspan(8 + length, 4));
@@ -67,32 +72,66 @@ std::optional<Chunk> next_chunk(Bytes& rest) {
     return chunk;
 }
 
-// What the decoder does not report.
+// What is needed before decoding, and what the decoder does not report.
 struct Header {
+    std::uint64_t width = 0, height = 0;
     std::uint64_t depth = 0;
     std::uint64_t color_type = 0;
     Bytes transparent;  // the contents of tRNS
     bool animated = false;
+    bool intact = true;  // tRNS, whose checksum the decoder ignores
 };
 
 constexpr std::uint64_t kGrey = 0, kTruecolour = 2;
 constexpr std::size_t kSignatureBytes = 8;
 
-// Fails where a chunk that the decoder skips is damaged; leaves other faults to the decoder.
+constexpr std::uint64_t kChannels[] = {1, 0, 3, 1, 2, 0, 4};  // by colour type; 0: there is none
+
+// Fails where IHDR is missing, damaged or asks for too much memory; leaves other faults to the
+// decoder.
 Result<Header> read_header(Bytes png, std::string_view name) {
-    constexpr std::size_t kDepth = 24, kColorType = 25;  // IHDR is first (5.6)
+    Bytes rest = png.subspan(std::min(png.size(), kSignatureBytes));
+    const std::optional<Chunk> first = next_chunk(rest);
+    if (!first || first->type != "IHDR" || first->data.size() != 13 || !first->intact)
+        return refuse(name, "bad header");
     Header header;
-    if (png.size() <= kColorType) return header;
-    header.depth = big_endian(png.subspan(kDepth, 1));
-    header.color_type = big_endian(png.subspan(kColorType, 1));
-    Bytes rest = png.subspan(kSignatureBytes);
+    header.width = big_endian(first->data.subspan(0, 4));
+    header.height = big_endian(first->data.subspan(4, 4));
+    header.depth = big_endian(first->data.subspan(8, 1));
+    header.color_type = big_endian(first->data.subspan(9, 1));
+    if (header.color_type >= std::size(kChannels) || kChannels[header.color_type] == 0 ||
+        header.depth > 16)
+        return refuse(name, "bad header");
+    HM_TRY(check_image_size(header.width, header.height, name));
+    // Deflate turns one byte into at most 1032 (two bits for a run of 258).
+    const std::uint64_t bits = kChannels[header.color_type] * header.depth;
+    if (header.width * header.height * bits / 8 > png.size() * 1032)
+        return refuse(name, fmt::format("{} bytes are too few for {} x {} pixels", png.size(),
+                                        header.width, header.height));
     while (const std::optional<Chunk> chunk = next_chunk(rest)) {
-        if (!chunk->intact) return refuse(name, "bad checksum");
-        if (chunk->type == "tRNS" && header.transparent.empty()) header.transparent = chunk->data;
+        if (chunk->type == "tRNS") {
+            header.intact = header.intact && chunk->intact;
+            if (header.transparent.empty()) header.transparent = chunk->data;
+        }
         if (chunk->type == "acTL") header.animated = true;
         if (chunk->type == "IEND") break;
     }
     return header;
+}
+
+// Whether every chunk that a picture needs has its checksum; IEND itself may be missing.
+bool critical_chunks_intact(Bytes png) {
+    Bytes rest = png.subspan(kSignatureBytes), before = rest;
+    while (const std::optional<Chunk> chunk = next_chunk(rest)) {
+        const bool critical = chunk->type[0] >= 'A' && chunk->type[0] <= 'Z';
+        const Bytes summed = before.subspan(4, 4 + chunk->data.size());
+        if (chunk->type == "IEND") return true;
+        if (critical && checksum(summed) != big_endian(before.subspan(4 + summed.size(), 4)))
+            return false;
+        before = rest;
+    }
+    constexpr std::size_t kEmptyChunk = 12;
+    return rest.size() < 8 || (rest.size() <= kEmptyChunk && chunk_type(rest) == "IEND");
 }
 
 // The file without the chunks of its animation. A texture is the still picture, which need not be
@@ -108,11 +147,6 @@ std::vector<std::byte> without_animation(Bytes png) {
     }
     still.insert(still.end(), rest.begin(), rest.end());
     return still;
-}
-
-std::uint64_t bits_per_pixel(const Header& header) {
-    constexpr std::uint64_t kChannels[] = {1, 0, 3, 1, 2, 0, 4};  // by colour type
-    return kChannels[header.color_type] * header.depth;
 }
 
 // The decoder writes black where a pixel has the one colour that tRNS makes transparent, but
@@ -153,10 +187,8 @@ Result<ImageOf<T>> decode_pixels(wuffs_png__decoder& decoder, wuffs_base__io_buf
     return image;
 }
 
-}  // namespace
-
-Result<TextureImage> decode_png(Bytes bytes, std::string_view name) {
-    HM_TRY_ASSIGN(const Header header, read_header(bytes, name));
+Result<TextureImage> decode(Bytes bytes, const Header& header, std::string_view name) {
+    if (!header.intact) return refuse(name, "bad checksum");
     std::vector<std::byte> still;
     if (header.animated) {
         still = without_animation(bytes);
@@ -168,14 +200,6 @@ Result<TextureImage> decode_png(Bytes bytes, std::string_view name) {
     wuffs_base__image_config config{};
     const wuffs_base__status status = decoder->decode_image_config(&config, &source);
     if (!status.is_ok()) return refuse(name, status);
-    const std::uint32_t width = config.pixcfg.width(), height = config.pixcfg.height();
-    HM_TRY(check_image_size(width, height, name));
-
-    // Deflate turns one byte into at most 1032 (two bits for a run of 258).
-    const std::uint64_t pixels = std::uint64_t(width) * height;
-    if (pixels * bits_per_pixel(header) / 8 > bytes.size() * 1032)
-        return refuse(name, fmt::format("{} bytes are too few for {} x {} pixels", bytes.size(),
-                                        width, height));
 
     if (header.depth == 16) {
         // Of 16 bits the decoder writes no other order.
@@ -192,6 +216,18 @@ Result<TextureImage> decode_png(Bytes bytes, std::string_view name) {
                                               WUFFS_BASE__PIXEL_FORMAT__RGBA_NONPREMUL, name));
     restore_transparent_colour(header, image);
     return image;
+}
+
+}  // namespace
+
+Result<TextureImage> decode_png(Bytes bytes, std::string_view name, ReadWarnings& warnings) {
+    HM_TRY_ASSIGN(const Header header, read_header(bytes, name));
+    Result<TextureImage> image = decode(bytes, header, name);
+    if (image || !critical_chunks_intact(bytes)) return image;
+    Result<TextureImage> lenient = decode_png_leniently(bytes, header.depth == 16);
+    if (!lenient) return image;
+    warnings.push_back(image.error().message + "; no pixel is missing");
+    return lenient;
 }
 
 }  // namespace hm

@@ -40,9 +40,11 @@ auto within_memory(std::string_view name, const Decode& decode) -> decltype(deco
     }
 }
 
-Result<TextureImage> decode_texture(FileFormat format, Bytes bytes, std::string_view name) {
+Result<TextureImage> decode_texture(FileFormat format, Bytes bytes, std::string_view name,
+                                    ReadWarnings& warnings) {
     return within_memory(name, [&] {
-        return format == FileFormat::png ? decode_png(bytes, name) : decode_jpeg(bytes, name);
+        return format == FileFormat::png ? decode_png(bytes, name, warnings)
+                                         : decode_jpeg(bytes, name);
     });
 }
 
@@ -72,14 +74,15 @@ Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::st
     return {};
 }
 
-Result<TextureImage> read_texture_image(Bytes bytes, std::string_view name) {
+Result<TextureImage> read_texture_image(Bytes bytes, std::string_view name,
+                                        ReadWarnings& warnings) {
     const FileFormat format = file_format(bytes);
     if (format == FileFormat::unknown) return refuse_format(name, bytes);
     if (!is_texture(format)) return refuse(name, "a texture has to be PNG or JPEG");
-    return decode_texture(format, bytes, name);
+    return decode_texture(format, bytes, name, warnings);
 }
 
-Result<FloatImage> read_environment_image(Bytes bytes, std::string_view name) {
+Result<FloatImage> read_environment_image(Bytes bytes, std::string_view name, ReadWarnings&) {
     const FileFormat format = file_format(bytes);
     if (format == FileFormat::unknown) return refuse_format(name, bytes);
     if (is_texture(format)) return refuse(name, "an environment has to be Radiance HDR or OpenEXR");
@@ -89,7 +92,8 @@ Result<FloatImage> read_environment_image(Bytes bytes, std::string_view name) {
 Result<AnyImage> read_image(Bytes bytes, std::string_view name) {
     const FileFormat format = file_format(bytes);
     if (format == FileFormat::unknown) return refuse_format(name, bytes);
-    if (is_texture(format)) return decode_texture(format, bytes, name);
+    ReadWarnings warnings;
+    if (is_texture(format)) return decode_texture(format, bytes, name, warnings);
     return decode_floats(format, bytes, name, ExrValues::stored);
 }
 

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "image/image.h"
@@ -14,16 +16,22 @@ namespace hm {
 inline constexpr std::uint32_t kMaxImageSide = 65536;
 inline constexpr std::uint64_t kMaxImagePixels = 1ull << 28;
 
+// What was wrong with a file that could be read all the same, a line for each kind of fault.
+using ReadWarnings = std::vector<std::string>;
+
 // PNG (every colour type and depth; 16-bit stays 16-bit) or JPEG (grey, YCbCr, RGB, CMYK), with the
 // stored, still encoded values. A missing alpha is 1; grey is repeated; embedded
-// colour profiles and gamma are ignored, as glTF asks. `name` is used in messages only.
+// colour profiles and gamma are ignored, as glTF asks. Faults that cost no pixel (a bad checksum of
+// an ancillary chunk, bytes too many) are warnings. `name` is used in errors only.
 // All three may be called from several threads at once. They fail with ErrorKind::invalid, or with
 // ErrorKind::unsupported where a valid file uses a feature that is not implemented.
-Result<TextureImage> read_texture_image(std::span<const std::byte> bytes, std::string_view name);
+Result<TextureImage> read_texture_image(std::span<const std::byte> bytes, std::string_view name,
+                                        ReadWarnings& warnings);
 
 // Radiance .hdr (RGBE, flat or run-length coded) or OpenEXR (R, G, B or Y; scan lines or tiles), as
 // linear values with alpha 1. Infinite, NaN and negative values become finite, non-negative ones.
-Result<FloatImage> read_environment_image(std::span<const std::byte> bytes, std::string_view name);
+Result<FloatImage> read_environment_image(std::span<const std::byte> bytes, std::string_view name,
+                                          ReadWarnings& warnings);
 
 // Any of the above, for tools and tests: values of an OpenEXR file are as stored, with its alpha.
 Result<AnyImage> read_image(std::span<const std::byte> bytes, std::string_view name);

@@ -17,20 +17,23 @@ TEST(ReadImage, SignatureDecides) {
     const auto exr = encode_exr(FloatImage(2, 2), true, {});
     const auto hdr = encode_hdr(FloatImage(2, 2));
     ASSERT_TRUE(png && exr);
-    EXPECT_TRUE(read_texture_image(*png, "wrong.exr"));
-    EXPECT_FALSE(read_texture_image(*exr, "a.png"));
-    EXPECT_FALSE(read_texture_image(hdr, "a.png"));
-    EXPECT_FALSE(read_environment_image(*png, "a.exr"));
-    EXPECT_TRUE(read_environment_image(*exr, "a"));
-    EXPECT_TRUE(read_environment_image(hdr, "a"));
+    ReadWarnings warnings;
+    EXPECT_TRUE(read_texture_image(*png, "wrong.exr", warnings));
+    EXPECT_FALSE(read_texture_image(*exr, "a.png", warnings));
+    EXPECT_FALSE(read_texture_image(hdr, "a.png", warnings));
+    EXPECT_FALSE(read_environment_image(*png, "a.exr", warnings));
+    EXPECT_TRUE(read_environment_image(*exr, "a", warnings));
+    EXPECT_TRUE(read_environment_image(hdr, "a", warnings));
     const std::vector<std::byte> other(64, std::byte(7));
     const auto expect_refusal = [&](const auto& read) {
         ASSERT_FALSE(read(other, "odd"));
         EXPECT_EQ(read(other, "odd").error().line(), "odd: not a picture of a known format");
         EXPECT_EQ(read(Bytes(), "none").error().line(), "none: the picture is empty");
     };
-    expect_refusal(read_texture_image);
-    expect_refusal(read_environment_image);
+    expect_refusal(
+        [&](Bytes b, const char* name) { return read_texture_image(b, name, warnings); });
+    expect_refusal(
+        [&](Bytes b, const char* name) { return read_environment_image(b, name, warnings); });
     expect_refusal(read_image);
 }
 
@@ -46,10 +49,11 @@ TEST(ReadImage, FromManyThreads) {
     std::vector<std::thread> threads;
     for (int& count : right)
         threads.emplace_back([&] {
+            ReadWarnings warnings;
             for (int i = 0; i < 20; ++i) {
-                const auto a = read_environment_image(*exr, "exr");
-                const auto b = read_environment_image(hdr, "hdr");
-                const auto c = read_texture_image(*png, "png");
+                const auto a = read_environment_image(*exr, "exr", warnings);
+                const auto b = read_environment_image(hdr, "hdr", warnings);
+                const auto c = read_texture_image(*png, "png", warnings);
                 if (a && b && c && a->pixels == picture.pixels && b->pixels == picture.pixels)
                     ++count;
             }

@@ -27,7 +27,8 @@ Result<EnvironmentChoice> choose_environment(const LightSettings& light, const S
                                  "default", ""};
     const std::string file = light.environment_file.string();
     HM_TRY_ASSIGN(const ByteArray bytes, read_file(light.environment_file));
-    HM_TRY_ASSIGN(const FloatImage image, read_environment_image(bytes, file));
+    ReadWarnings warnings;
+    HM_TRY_ASSIGN(const FloatImage image, read_environment_image(bytes, file, warnings));
     Hasher hash;
     hash.add(bytes);
     return EnvironmentChoice{

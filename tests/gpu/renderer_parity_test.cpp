@@ -47,7 +47,8 @@ std::optional<std::size_t> expect_file_parity(const fs::path& file, const FloatI
 
 FloatImage read_sky(const fs::path& file) {
     const auto bytes = read_file(file);
-    const auto image = bytes ? read_environment_image(*bytes, file.string())
+    ReadWarnings warnings;
+    const auto image = bytes ? read_environment_image(*bytes, file.string(), warnings)
                              : Result<FloatImage>(tl::unexpected(bytes.error()));
     return image ? *image : throw std::runtime_error(image.error().line());
 }

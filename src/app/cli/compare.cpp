@@ -183,6 +183,9 @@ Result<ExitCode> compare(const CompareOptions& options) {
     if (!options.error_picture.empty()) HM_TRY(check_writable(options.error_picture));
     HM_TRY_ASSIGN(const PictureFile a, read_picture_file(options.test));
     HM_TRY_ASSIGN(const PictureFile b, read_picture_file(options.reference));
+    for (const auto& [path, file] : {std::pair(options.test, &a), {options.reference, &b}})
+        for (const std::string& warning : file->warnings)
+            fmt::print(stderr, "warning: {}: {}\n", path.string(), warning);
     HM_TRY(check_pair(options, a, b));
     HM_TRY(check_z_test(options, a, b));
 
