@@ -93,30 +93,25 @@ TraceRange first_samples(std::uint32_t count) {
 }
 
 // How several samples of each pixel may be launched.
-struct Way {
-    const char* name;
-    Launches launches;
-    PathTracingVariant variant;
-};
-
-constexpr Way kWays[] = {{"launches", Launches::one_per_sample, {.usual = true}},
-                         {"loop", Launches::loop, {.usual = true}}};
+constexpr std::pair<const char*, Launches> kWays[] = {{"launches", Launches::one_per_sample},
+                                                      {"loop", Launches::loop}};
 
 // As many samples as one of the renderer's batches.
 Result<void> measure_ways(GpuContext& context, const GpuScene& scene, const Scratch& scratch,
-                          std::uint32_t repeats, TraceRates& rates) {
+                          const RenderParams& params, std::uint32_t repeats, TraceRates& rates) {
     rates.several = std::uint32_t(std::clamp(kBatchMilliseconds / rates.path_ms, 2.0, 16.0));
     const TraceRange range = first_samples(rates.several);
     const std::uint32_t height = scratch.accumulation.info().height;
-    for (const Way& way : kWays) {
-        HM_TRY_ASSIGN(const PathTracingPass* paths, context.path_tracing(way.variant));
+    HM_TRY_ASSIGN(const PathTracingPass* paths,
+                  context.path_tracing({.settings = settings_of(params)}));
+    for (const auto& [name, launches] : kWays) {
         const auto record = [&](rhi::Commands& commands) {
             paths->record(commands, scene,
                           {scratch.accumulation, scratch.removed, scratch.counters}, range, height,
-                          way.launches);
+                          launches);
         };
         HM_TRY_ASSIGN(const double ms, median_ms(context.device(), repeats, record));
-        rates.ways.emplace_back(way.name, ms / rates.several);
+        rates.ways.emplace_back(name, ms / rates.several);
     }
     return {};
 }
@@ -124,7 +119,7 @@ Result<void> measure_ways(GpuContext& context, const GpuScene& scene, const Scra
 }  // namespace
 
 Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const RenderJob& job,
-                                   PathTracingVariant variant, std::uint32_t repeats) {
+                                   bool reorder, std::uint32_t repeats) {
     rhi::Device& device = context.device();
     const std::uint32_t width = job.params.width;
     const std::uint32_t height = job.params.height;
@@ -149,14 +144,14 @@ Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const R
     }));
     HM_TRY(count_rays(device, rays, rates));
 
-    variant.usual = is_usual(params);
-    HM_TRY_ASSIGN(const PathTracingPass* paths, context.path_tracing(variant));
+    HM_TRY_ASSIGN(const PathTracingPass* paths,
+                  context.path_tracing({.settings = settings_of(params), .reorder = reorder}));
     HM_TRY_ASSIGN(rates.path_ms, median_ms(device, repeats, [&](rhi::Commands& commands) {
                       paths->record(commands, scene,
                                     {scratch.accumulation, scratch.removed, scratch.counters},
                                     first_sample, height);
                   }));
-    if (variant.usual) HM_TRY(measure_ways(context, scene, scratch, repeats, rates));
+    HM_TRY(measure_ways(context, scene, scratch, params, repeats, rates));
     HM_TRY_ASSIGN(const BareTracePass* bare, context.bare_trace());
     const auto bare_ms = [&](std::uint32_t kinds, std::uint32_t depth) {
         return median_ms(device, repeats, [&, kinds, depth](rhi::Commands& commands) {

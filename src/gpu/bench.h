@@ -8,9 +8,9 @@
 
 namespace hm {
 
-// The picture is job.params' width by height, its paths at most 32 events long. Takes 64 bytes of
-// device memory per pixel and event.
+// `reorder`: see PathTracingVariant. The picture is job.params' width by height, its paths at most
+// 32 events long. Takes 64 bytes of device memory per pixel and event.
 Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const RenderJob& job,
-                                   PathTracingVariant variant, std::uint32_t repeats);
+                                   bool reorder, std::uint32_t repeats);
 
 }  // namespace hm

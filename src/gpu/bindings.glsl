@@ -28,7 +28,8 @@ layout(scalar, set = 0, binding = kGeometryAddressesBinding) readonly buffer Geo
 
 // The bits of a setting, or this where the pipeline leaves it to the frame's values.
 const uint kFromFrame = 0xffffffffu;
-#define HM_SETTING(id, name, usual) layout(constant_id = id) const uint fixed_##name = kFromFrame;
+#define HM_SETTING(id, name) layout(constant_id = id) const uint fixed_##name = kFromFrame;
+#define HM_SETTING_OR_ZERO(id, name) HM_SETTING(id, name)
 #include "gpu/passes/path_tracing/settings.inl"
 
 uint fixed_or(uint bits, uint value) {
@@ -43,7 +44,8 @@ RenderParams params;
 // Must be called first in every stage.
 void load_params() {
     params = frame_params;
-#define HM_SETTING(id, name, usual) params.name = fixed_or(fixed_##name, frame_params.name);
+#define HM_SETTING(id, name) params.name = fixed_or(fixed_##name, frame_params.name);
+#define HM_SETTING_OR_ZERO(id, name) HM_SETTING(id, name)
 #include "gpu/passes/path_tracing/settings.inl"
 }
 

@@ -13,7 +13,7 @@ Result<std::unique_ptr<GpuContext>> GpuContext::create(std::unique_ptr<rhi::Devi
     return context;
 }
 
-Result<const PathTracingPass*> GpuContext::path_tracing(PathTracingVariant variant) {
+Result<const PathTracingPass*> GpuContext::path_tracing(const PathTracingVariant& variant) {
     const auto found = path_tracing_.find(variant);
     if (found != path_tracing_.end()) return &found->second;
     HM_TRY_ASSIGN(PathTracingPass pass,

@@ -29,7 +29,7 @@ class GpuContext {
     const SceneLayouts& layouts() const { return layouts_; }
 
     // Compiled on first use, which takes seconds unless the cache has it.
-    Result<const PathTracingPass*> path_tracing(PathTracingVariant variant);
+    Result<const PathTracingPass*> path_tracing(const PathTracingVariant& variant);
     Result<const BareTracePass*> bare_trace();
 
   private:

@@ -1,6 +1,7 @@
 // Pipeline layouts and compute pipelines. SPIR-V comes embedded (cmake/Shaders.cmake).
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -24,6 +25,7 @@ Result<ShaderModule> make_shader_module(Device& device, std::string_view name, S
 struct SpecializationConstant {
     std::uint32_t id = 0;
     std::uint32_t value = 0;
+    auto operator<=>(const SpecializationConstant&) const = default;
 };
 
 // The specialization constants of all stages of a pipeline: those given, and constant_id 0, a bool

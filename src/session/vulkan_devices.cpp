@@ -30,10 +30,10 @@ class GpuDevice final : public RenderDevice {
         HM_TRY_ASSIGN(const std::unique_ptr<GpuScene> scene,
                       GpuScene::create(device, context_->layouts(), flat));
         TracedRates traced;
-        HM_TRY_ASSIGN(traced.rates, measure_tracing(*context_, *scene, job, {}, kRepeats));
+        HM_TRY_ASSIGN(traced.rates, measure_tracing(*context_, *scene, job, false, kRepeats));
         if (device.physical().has(rhi::kInvocationReorder)) {
             HM_TRY_ASSIGN(traced.reordered,
-                          measure_tracing(*context_, *scene, job, {.reorder = true}, kRepeats));
+                          measure_tracing(*context_, *scene, job, true, kRepeats));
             traced.sorts = device.limits().reorders_rays;
         }
         return traced;

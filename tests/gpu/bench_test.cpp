@@ -15,7 +15,7 @@ TEST(TraceBench, CountsTheRaysOfAPicture) {
     RenderJob job = make_job(scene.flat, scene.camera);
     auto gpu = GpuScene::create(gpu_context().device(), gpu_context().layouts(), scene.flat);
     ASSERT_TRUE(gpu) << gpu.error().line();
-    const auto rates = measure_tracing(gpu_context(), **gpu, job, {}, 1);
+    const auto rates = measure_tracing(gpu_context(), **gpu, job, false, 1);
     ASSERT_TRUE(rates) << rates.error().line();
 
     CpuRenderer cpu(scene.flat, 0);

@@ -24,11 +24,10 @@ struct Drawn {
     std::uint64_t non_finite = 0;
 };
 
-// The feature scene under the usual settings.
+// The feature scene under the default settings.
 class PathTracingVariants : public ::testing::Test {
   protected:
     PathTracingVariants() {
-        EXPECT_TRUE(is_usual(job_.params));
         expect_ok(gpu_->set_frame(job_));
         sums_ = value_of(rhi::Image::create(device_, {"sums", rhi::Format::rgba32f, kPictureSize,
                                                       kPictureSize, 1, rhi::ImageUse::storage}));
@@ -42,7 +41,7 @@ class PathTracingVariants : public ::testing::Test {
     void set_frame(const RenderJob& job) { expect_ok(gpu_->set_frame(job)); }
     const RenderJob& job() const { return job_; }
 
-    Drawn draw(PathTracingVariant variant, Launches launches) {
+    Drawn draw(const PathTracingVariant& variant, Launches launches) {
         const PathTracingPass* pass = value_of(gpu_context().path_tracing(variant));
         TraceRange range{};
         range.sample_end = kSamples;
@@ -90,24 +89,36 @@ void expect_same(const Drawn& a, const Drawn& b) {
 }
 
 TEST_F(PathTracingVariants, LaunchesOfOneSampleAddUpToALoop) {
-    const PathTracingVariant usual = {.usual = true};
-    const Drawn loop = draw(usual, Launches::loop);
+    const PathTracingVariant variant = {.settings = settings_of(job().params)};
+    const Drawn loop = draw(variant, Launches::loop);
     EXPECT_GT(loop.rays, 2 * kSamples * loop.sums.size());
     EXPECT_EQ(loop.sums[0].w, float(kSamples));
-    expect_same(loop, draw(usual, Launches::one_per_sample));
+    expect_same(loop, draw(variant, Launches::one_per_sample));
 }
 
-// The pipeline for the usual settings draws the same bits as the one that reads them from the
-// frame's values, and reads none of them there.
-TEST_F(PathTracingVariants, UsualSettingsAreSpecializationConstants) {
-    const Drawn usual = draw({.usual = true}, Launches::loop);
-    expect_same(usual, draw({}, Launches::loop));
+// A pipeline that holds the settings renders the same bits as one that reads them from the frame's
+// values, and reads none of them there.
+TEST_F(PathTracingVariants, SettingsAreSpecializationConstants) {
+    const PathTracingVariant variant = {.settings = settings_of(job().params)};
+    const Drawn constant = draw(variant, Launches::loop);
+    expect_same(constant, draw({}, Launches::loop));
     RenderJob other = job();
     other.params.energy_compensation = 0;
-    EXPECT_FALSE(is_usual(other.params));
+    other.params.background = kBackgroundTransparent;
     set_frame(other);
-    expect_same(usual, draw({.usual = true}, Launches::loop));
-    EXPECT_NE(usual.sums, draw({}, Launches::loop).sums);
+    expect_same(constant, draw(variant, Launches::loop));
+    EXPECT_NE(constant.sums, draw({}, Launches::loop).sums);
+}
+
+// Every clamp but none has the same pipeline, so that a new number compiles nothing.
+TEST(PathTracingSettings, ClampsShareOnePipeline) {
+    RenderParams params{};
+    const auto without = settings_of(params);
+    params.max_radiance = 2.0f;
+    const auto two = settings_of(params);
+    params.max_radiance = 10.0f;
+    EXPECT_EQ(settings_of(params), two);
+    EXPECT_NE(two, without);
 }
 
 }  // namespace

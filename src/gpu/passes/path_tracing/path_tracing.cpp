@@ -52,14 +52,7 @@ std::uint32_t bits_of(float value) {
     return std::bit_cast<std::uint32_t>(value);
 }
 
-std::vector<rhi::SpecializationConstant> usual_settings() {
-    return {
-#define HM_SETTING(id, name, usual) {id, bits_of(usual)},
-#include "gpu/passes/path_tracing/settings.inl"
-    };
-}
-
-rhi::RayTracingPipelineInfo pipeline_info(PathTracingVariant variant) {
+rhi::RayTracingPipelineInfo pipeline_info(const PathTracingVariant& variant) {
     rhi::RayTracingPipelineInfo info;
     info.name = "path tracing";
     info.ray_generation = shaders::reference_view_rgen();
@@ -77,24 +70,23 @@ rhi::RayTracingPipelineInfo pipeline_info(PathTracingVariant variant) {
     } else if (variant.reorder) {
         info.ray_generation = shaders::reference_view_reorder();
     }
-    if (variant.usual) {
-        info.name += ", usual settings";
-        info.constants = usual_settings();
-    }
+    info.constants = variant.settings;
     return info;
 }
 
 }  // namespace
 
-bool is_usual(const RenderParams& params) {
-    return true
-#define HM_SETTING(id, name, usual) &&bits_of(params.name) == bits_of(usual)
+std::vector<rhi::SpecializationConstant> settings_of(const RenderParams& params) {
+    std::vector<rhi::SpecializationConstant> constants;
+#define HM_SETTING(id, name) constants.push_back({id, bits_of(params.name)});
+#define HM_SETTING_OR_ZERO(id, name) \
+    if (bits_of(params.name) == 0) constants.push_back({id, 0});
 #include "gpu/passes/path_tracing/settings.inl"
-        ;
+    return constants;
 }
 
 Result<PathTracingPass> PathTracingPass::create(rhi::Device& device, const SceneLayouts& layouts,
-                                                PathTracingVariant variant,
+                                                const PathTracingVariant& variant,
                                                 rhi::PipelineCache* cache) {
     PathTracingPass pass;
     HM_TRY_ASSIGN(pass.targets_,

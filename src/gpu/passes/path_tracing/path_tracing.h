@@ -2,6 +2,8 @@
 // shadow_miss.rmiss and anyhit.rahit over the stages of shading/path.
 #pragma once
 
+#include <vector>
+
 #include "gpu/aovs.h"
 #include "gpu/launch_choice.h"
 #include "gpu/scene.h"
@@ -13,10 +15,9 @@ namespace hm {
 
 // Pipelines of the same stages. At most one of reorder, record and aovs.
 struct PathTracingVariant {
-    // The settings that most pictures use (is_usual) are specialization constants: about a tenth
-    // faster on an H100. Other settings share one pipeline that reads them from the frame's values:
-    // a pipeline for each combination would compile for seconds.
-    bool usual = false;
+    // settings_of a picture: about a tenth faster on an H100 than a pipeline without them, which
+    // reads all settings from the frame's values.
+    std::vector<rhi::SpecializationConstant> settings{};
     // Hits are sorted before they are shaded (VK_NV_ray_tracing_invocation_reorder).
     bool reorder = false;
     // The rays of the first sample are recorded, for gpu/bench.
@@ -26,8 +27,8 @@ struct PathTracingVariant {
     auto operator<=>(const PathTracingVariant&) const = default;
 };
 
-// Whether these settings are those of the variant `usual` (settings.inl).
-bool is_usual(const RenderParams& params);
+// The constants of settings.inl. Few values are possible, so pipelines are mostly found compiled.
+std::vector<rhi::SpecializationConstant> settings_of(const RenderParams& params);
 
 // What a launch adds to. Images are in layout general and of the crop's size.
 struct PathTracingTargets {
@@ -44,7 +45,8 @@ struct PathTracingTargets {
 class PathTracingPass {
   public:
     static Result<PathTracingPass> create(rhi::Device& device, const SceneLayouts& layouts,
-                                          PathTracingVariant variant, rhi::PipelineCache* cache);
+                                          const PathTracingVariant& variant,
+                                          rhi::PipelineCache* cache);
 
     // Renders rows range.first_row and following of the accumulation image.
     void record(rhi::Commands& commands, const GpuScene& scene, const PathTracingTargets& targets,
