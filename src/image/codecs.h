@@ -27,17 +27,14 @@ FileFormat file_format(Bytes bytes);
 // take memory.
 Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::string_view name);
 
-// Whether values of an OpenEXR file are made finite and not negative, with alpha 1, or left as
-// stored.
-enum class ExrValues { cleaned, stored };
-
 // Where the fast decoder refuses a file, libspng decides whether its pixels are whole.
 Result<TextureImage> decode_png(Bytes bytes, std::string_view name, ReadWarnings& warnings);
 // Ignores damaged ancillary chunks and surplus bytes. `sixteen_bits`: IHDR's depth is 16.
 Result<TextureImage> decode_png_leniently(Bytes bytes, bool sixteen_bits);
 Result<TextureImage> decode_jpeg(Bytes bytes, std::string_view name);
-Result<FloatImage> decode_hdr(Bytes bytes, std::string_view name);
-Result<FloatImage> decode_exr(Bytes bytes, std::string_view name, ExrValues values);
+// As environments: read.h.
+Result<FloatImage> decode_hdr(Bytes bytes, std::string_view name, ReadWarnings& warnings);
+Result<FloatImage> decode_exr(Bytes bytes, std::string_view name, ReadWarnings& warnings);
 Result<LayeredImage> decode_layers(Bytes bytes, std::string_view name);
 
 // Fail with ErrorKind::unwritable and an empty file name.
@@ -48,15 +45,5 @@ Result<std::vector<std::byte>> encode_exr(const FloatImage& image, bool alpha,
 Result<std::vector<std::byte>> encode_layers(const LayeredImage& picture,
                                              const ExrOptions& options);
 std::vector<std::byte> encode_hdr(const FloatImage& image);
-
-// The largest value of a 16-bit float replaces an infinite radiance, which mostly is the overflow
-// of one.
-inline constexpr float kInfiniteRadiance = 65504.0f;
-
-// Finite and not negative.
-inline float clean_radiance(float value) {
-    if (!(value > 0.0f)) return 0.0f;  // NaN as well
-    return value > 3.4028234e38f ? kInfiniteRadiance : value;
-}
 
 }  // namespace hm

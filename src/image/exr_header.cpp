@@ -65,7 +65,17 @@ struct Claims {
     std::uint64_t width = 0, height = 0;
     std::uint64_t tile_width = 0, tile_height = 0;
     std::uint64_t channels = 0;  // at most
+    std::uint64_t chunks = 0;
+    std::uint64_t compression = 0;
 };
+
+// Codecs that OpenEXR 3.1 knows, and the names of those that later versions added.
+constexpr std::uint64_t kCodecs = 10;
+std::string codec_name(std::uint64_t codec) {
+    constexpr std::string_view kLater[] = {"HTJ2K256", "HTJ2K32", "LJ2K", "ZSTD"};  // 3.4, 3.5
+    if (codec < kCodecs + std::size(kLater)) return std::string(kLater[codec - kCodecs]);
+    return fmt::format("number {}", codec);
+}
 
 tl::unexpected<Error> refuse(std::string_view name, std::string message,
                              ErrorKind kind = ErrorKind::invalid) {
@@ -158,27 +168,25 @@ void note_attribute(std::string_view attribute, std::string_view type, Bytes val
     } else if (attribute == "tiles" && type == "tiledesc" && value.size() == 9) {
         claims.tile_width = *cursor.number();
         claims.tile_height = *cursor.number();
+    } else if (attribute == "compression" && type == "compression") {
+        claims.compression = std::to_integer<std::uint64_t>(value[0]);
+    } else if (attribute == "chunkCount" && type == "int") {
+        claims.chunks = *cursor.number();
     } else if (attribute == "channels" && type == "chlist") {
         claims.channels = value.size() / kMinChannelBytes;
     }
 }
 
-}  // namespace
-
-Result<void> check_exr_header(Bytes bytes, std::string_view name) {
-    Cursor cursor(bytes);
-    const auto magic = cursor.number();
-    const auto version = cursor.number();
-    if (!magic || !version) return refuse(name, "the header ends early");
-    if (*version & (kDeepFlag | kMultiPartFlag))
-        return refuse(name, "deep data and files of several parts are not supported",
-                      ErrorKind::unsupported);
-
+// The attributes of one part; nothing where the list of parts ends.
+Result<std::optional<Claims>> read_header(Cursor& cursor, std::string_view name) {
     Claims claims;
-    for (;;) {
+    for (bool first = true;; first = false) {
         const auto attribute = cursor.word();
         if (!attribute) return refuse(name, "the header ends early");
-        if (attribute->empty()) break;
+        if (attribute->empty()) {
+            if (first) return std::optional<Claims>();
+            return std::optional(claims);
+        }
         const auto type = cursor.word();
         const auto size = cursor.number();
         const auto value = size ? cursor.take(*size) : std::nullopt;
@@ -189,17 +197,51 @@ Result<void> check_exr_header(Bytes bytes, std::string_view name) {
                                             *attribute, *type, value->size()));
         note_attribute(*attribute, *type, *value, claims);
     }
+}
 
+struct Limits {
+    std::uint64_t chunks;  // that the file has room for
+    bool tiled;            // it may have tiles
+};
+
+Result<void> check_claims(const Claims& claims, const Limits& limits, std::string_view name) {
+    if (claims.compression >= kCodecs)
+        return refuse(name,
+                      fmt::format("the codec {} is newer than the OpenEXR library here",
+                                  codec_name(claims.compression)),
+                      ErrorKind::unsupported);
     HM_TRY(check_image_size(claims.width, claims.height, name));
     const std::uint64_t side = std::max({claims.width, claims.height, kMaxTileSide});
-    const bool tiled = (*version & kTiledFlag) != 0;
-    if (tiled && (claims.tile_width > side || claims.tile_height > side ||
-                  claims.tile_width * claims.tile_height > kMaxImagePixels))
+    if (limits.tiled && (claims.tile_width > side || claims.tile_height > side ||
+                         claims.tile_width * claims.tile_height > kMaxImagePixels))
         return refuse(name, fmt::format("tiles of {} x {} pixels are too large", claims.tile_width,
                                         claims.tile_height));
     if (claims.width * claims.height * claims.channels > kMaxValues)
         return refuse(name, fmt::format("{} x {} pixels with {} channels are too many",
                                         claims.width, claims.height, claims.channels));
+    if (claims.chunks > limits.chunks)
+        return refuse(name, fmt::format("{} chunks are more than the file holds", claims.chunks));
+    return {};
+}
+
+}  // namespace
+
+Result<void> check_exr_header(Bytes bytes, std::string_view name, ExrParts parts) {
+    Cursor cursor(bytes);
+    const auto magic = cursor.number();
+    const auto version = cursor.number();
+    if (!magic || !version) return refuse(name, "the header ends early");
+    const bool several = (*version & kMultiPartFlag) != 0;
+    if ((*version & kDeepFlag) || (several && parts == ExrParts::one))
+        return refuse(name, "deep data and files of several parts are not supported",
+                      ErrorKind::unsupported);
+    const Limits limits{bytes.size() / 8, (*version & kTiledFlag) != 0 || several};
+    for (;;) {
+        HM_TRY_ASSIGN(const std::optional<Claims> claims, read_header(cursor, name));
+        if (!claims) break;
+        HM_TRY(check_claims(*claims, limits, name));
+        if (!several) break;
+    }
     return {};
 }
 

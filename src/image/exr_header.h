@@ -7,8 +7,11 @@
 
 namespace hm {
 
-// Fails unless the file has one flat part, attributes that end inside the file, and a data window,
-// tiles and channels that keep to the limits of read.h.
-Result<void> check_exr_header(Bytes bytes, std::string_view name);
+enum class ExrParts { one, several };  // may a file have
+
+// Fails unless the file has flat parts, attributes that end inside the file, and data windows,
+// tiles and channels that keep to the limits of read.h. Deep parts, more parts than allowed and
+// codecs of later versions of OpenEXR are ErrorKind::unsupported.
+Result<void> check_exr_header(Bytes bytes, std::string_view name, ExrParts parts);
 
 }  // namespace hm

@@ -211,7 +211,7 @@ Result<std::vector<std::byte>> encode_layers(const LayeredImage& picture,
 }
 
 Result<LayeredImage> decode_layers(Bytes bytes, std::string_view name) {
-    HM_TRY(check_exr_header(bytes, name));
+    HM_TRY(check_exr_header(bytes, name, ExrParts::one));
     try {
         ExrInput stream(bytes, std::string(name));
         Imf::InputFile file(stream);

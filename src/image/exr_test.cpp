@@ -184,18 +184,6 @@ TEST(Exr, BlocksOfRowsJoin) {
                     {0, 0, 0, -1});
 }
 
-TEST(Exr, OtherChannelsAreRefused) {
-    const auto expect_refusal = [](const std::vector<ChannelSpec>& channels, ErrorKind kind) {
-        const auto image =
-            read_image(make_file(channels, kWindow, Imf::ZIP_COMPRESSION, false), "f");
-        ASSERT_FALSE(image);
-        EXPECT_EQ(image.error().kind, kind) << image.error().line();
-    };
-    expect_refusal({{"Y", kHalf}, {"RY", kHalf}, {"BY", kHalf}}, ErrorKind::unsupported);
-    expect_refusal({{"R", kHalf}, {"G", kHalf}}, ErrorKind::invalid);
-    expect_refusal({{"depth", kFloat}}, ErrorKind::invalid);
-}
-
 TEST(Exr, CutIsRefused) {
     for (const bool tiled : {false, true})
         expect_cuts_refused(make_file({{"R", kHalf}, {"G", kHalf}, {"B", kHalf}}, kWindow,

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "image/codecs.h"
+#include "image/radiance.h"
 
 namespace hm {
 namespace {
@@ -28,6 +29,7 @@ struct Header {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::array<float, 3> scale = {1.0f, 1.0f, 1.0f};  // stored value -> radiance
+    std::optional<Matrix3> to_rec709;                 // where the primaries are others
 };
 
 // Takes bytes from the front; past the end every take fails.
@@ -103,7 +105,8 @@ Result<void> parse_resolution(std::string_view line, std::string_view name, Head
     return refuse(name, "", fmt::format("\"{}\" is no resolution", line.substr(0, 60)));
 }
 
-// EXPOSURE and COLORCORR say what the values were multiplied by; several of them accumulate.
+// EXPOSURE and COLORCORR say what the values were multiplied by; several of them accumulate. Pixels
+// are RGB with the primaries of Rec. 709 unless PRIMARIES says otherwise, or XYZ.
 Result<void> parse_variable(std::string_view line, std::string_view name, Header& header) {
     const std::size_t equals = line.find('=');
     if (equals == line.npos) return {};
@@ -111,7 +114,9 @@ Result<void> parse_variable(std::string_view line, std::string_view name, Header
     std::string_view value = line.substr(equals + 1);
     if (key == "FORMAT") {
         value.remove_prefix(std::min(value.find_first_not_of(' '), value.size()));
-        if (!value.starts_with("32-bit_rle_rgbe"))
+        if (value.starts_with("32-bit_rle_xyze"))
+            header.to_rec709 = to_rec709(kXyz);
+        else if (!value.starts_with("32-bit_rle_rgbe"))
             return refuse(name, "",
                           fmt::format("format \"{}\" is not supported", value.substr(0, 60)),
                           ErrorKind::unsupported);
@@ -124,6 +129,16 @@ Result<void> parse_variable(std::string_view line, std::string_view name, Header
                 return refuse(name, "", fmt::format("bad {} in the header", key));
             header.scale[c] /= *factor;
         }
+    } else if (key == "PRIMARIES") {
+        std::array<double, 8> xy{};
+        for (double& number : xy)
+            number = take_number<double>(value).value_or(std::nan(""));
+        const Chromaticities primaries = {
+            {xy[0], xy[1]}, {xy[2], xy[3]}, {xy[4], xy[5]}, {xy[6], xy[7]}};
+        if (is_rec709(primaries)) return {};
+        header.to_rec709 = to_rec709(primaries);
+        if (!header.to_rec709)
+            return refuse(name, "", fmt::format("bad PRIMARIES \"{}\"", line.substr(0, 60)));
     }
     return {};
 }
@@ -254,7 +269,7 @@ void append_component_runs(std::vector<std::byte>& out, std::span<const Rgbe> ro
 
 }  // namespace
 
-Result<FloatImage> decode_hdr(Bytes bytes, std::string_view name) {
+Result<FloatImage> decode_hdr(Bytes bytes, std::string_view name, ReadWarnings& warnings) {
     static const std::array<float, 256> kExponents = exponent_table();
     Cursor cursor(bytes);
     HM_TRY_ASSIGN(const Header header, parse_header(cursor, name));
@@ -270,18 +285,19 @@ Result<FloatImage> decode_hdr(Bytes bytes, std::string_view name) {
     image.width = header.width;
     image.height = header.height;
     image.pixels.reserve(std::size_t(image.width) * image.height);
+    RadianceReader radiance(header.to_rec709);
     std::vector<Rgbe> row(image.width);
     for (std::uint32_t y = 0; y < image.height; ++y) {
         if (const char* wrong = read_row(cursor, row))
             return refuse(name, fmt::format("row {}", y), fmt::format("the scan line {}", wrong));
         for (const Rgbe& stored : row) {
-            Rgba<float>& pixel = image.pixels.emplace_back();
-            for (std::size_t c = 0; c < 3; ++c)
-                pixel[c] =
-                    clean_radiance(float(stored[c]) * kExponents[stored[3]] * header.scale[c]);
-            pixel[3] = 1.0f;
+            const auto value = [&](std::size_t c) {
+                return float(stored[c]) * kExponents[stored[3]] * header.scale[c];
+            };
+            image.pixels.push_back(radiance.convert(value(0), value(1), value(2)));
         }
     }
+    radiance.report("HDR", warnings);
     return image;
 }
 

@@ -49,6 +49,23 @@ TEST(Hdr, ExposureAndColourCorrectionDivide) {
     expect_rgb(image, 0, 1.0f, 2.0f, 0.5f);  // 8 / (2 * 4), then the channels
 }
 
+// Radiance's XYZ has an equal-energy white: equal values are grey.
+TEST(Hdr, OtherColourSpacesAreConverted) {
+    const auto pixel = [](const std::string& variable, std::initializer_list<unsigned> stored) {
+        const FloatImage image =
+            read_whole<float>(file("#?RADIANCE\n" + variable + "\n\n-Y 1 +X 1\n", stored));
+        return image.pixels[0];
+    };
+    const std::string rec2020 = "PRIMARIES= 0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290";
+    for (const std::string& variable : {std::string("FORMAT=32-bit_rle_xyze"), rec2020})
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(pixel(variable, {128, 128, 128, 129})[c], 1.0, 1e-5) << variable;
+    EXPECT_NEAR(pixel(rec2020, {0, 128, 0, 129})[1], 1.1329, 1e-4);
+    EXPECT_EQ(pixel(rec2020, {0, 128, 0, 129})[0], 0.0f);
+    const std::string rec709 = "PRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329";
+    EXPECT_EQ(pixel(rec709, {128, 64, 0, 129}), (Rgba<float>{1.0f, 0.5f, 0.0f, 1.0f}));
+}
+
 TEST(Hdr, OldRuns) {
     // A pixel, three more of it, another, and 1 + 0 * 256 of that in two repeats that build one
     // count.
@@ -97,8 +114,9 @@ TEST(Hdr, BrokenFilesAreRefused) {
                    ErrorKind::unsupported);
     expect_refusal(file("#?RADIANCE\n\n+X 1 -Y 1\n", {1, 2, 3, 4}), "pixel order",
                    ErrorKind::unsupported);
-    expect_refusal(file("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n", {1, 2, 3, 4}), "xyze",
+    expect_refusal(file("#?RADIANCE\nFORMAT=32-bit_float\n\n-Y 1 +X 1\n", {1, 2, 3, 4}), "float",
                    ErrorKind::unsupported);
+    expect_refusal(file("#?RADIANCE\nPRIMARIES=0 0 0 0\n\n-Y 1 +X 1\n", {1, 2, 3, 4}), "PRIMARIES");
     expect_refusal(file("#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\n", {1, 2, 3, 4}), "EXPOSURE");
     expect_refusal(file("#?RADIANCE\n\n-Y 0 +X 1\n", {}), "no pixels");
     expect_refusal(file("#?RADIANCE\n\n-Y 65536 +X 65536\n", {1, 2, 3, 4}), "in all");

@@ -48,12 +48,9 @@ Result<TextureImage> decode_texture(FileFormat format, Bytes bytes, std::string_
     });
 }
 
-Result<FloatImage> decode_floats(FileFormat format, Bytes bytes, std::string_view name,
-                                 ExrValues values) {
-    return within_memory(name, [&] {
-        return format == FileFormat::hdr ? decode_hdr(bytes, name)
-                                         : decode_exr(bytes, name, values);
-    });
+Result<FloatImage> decode_first_layer(Bytes bytes, std::string_view name) {
+    HM_TRY_ASSIGN(const LayeredImage picture, decode_layers(bytes, name));
+    return layer_image(picture, picture.layers.front());
 }
 
 }  // namespace
@@ -82,11 +79,15 @@ Result<TextureImage> read_texture_image(Bytes bytes, std::string_view name,
     return decode_texture(format, bytes, name, warnings);
 }
 
-Result<FloatImage> read_environment_image(Bytes bytes, std::string_view name, ReadWarnings&) {
+Result<FloatImage> read_environment_image(Bytes bytes, std::string_view name,
+                                          ReadWarnings& warnings) {
     const FileFormat format = file_format(bytes);
     if (format == FileFormat::unknown) return refuse_format(name, bytes);
     if (is_texture(format)) return refuse(name, "an environment has to be Radiance HDR or OpenEXR");
-    return decode_floats(format, bytes, name, ExrValues::cleaned);
+    return within_memory(name, [&] {
+        return format == FileFormat::hdr ? decode_hdr(bytes, name, warnings)
+                                         : decode_exr(bytes, name, warnings);
+    });
 }
 
 Result<AnyImage> read_image(Bytes bytes, std::string_view name) {
@@ -94,7 +95,8 @@ Result<AnyImage> read_image(Bytes bytes, std::string_view name) {
     if (format == FileFormat::unknown) return refuse_format(name, bytes);
     ReadWarnings warnings;
     if (is_texture(format)) return decode_texture(format, bytes, name, warnings);
-    return decode_floats(format, bytes, name, ExrValues::stored);
+    if (format == FileFormat::hdr) return decode_hdr(bytes, name, warnings);
+    return within_memory(name, [&] { return decode_first_layer(bytes, name); });
 }
 
 }  // namespace hm

@@ -28,12 +28,15 @@ using ReadWarnings = std::vector<std::string>;
 Result<TextureImage> read_texture_image(std::span<const std::byte> bytes, std::string_view name,
                                         ReadWarnings& warnings);
 
-// Radiance .hdr (RGBE, flat or run-length coded) or OpenEXR (R, G, B or Y; scan lines or tiles), as
-// linear values with alpha 1. Infinite, NaN and negative values become finite, non-negative ones.
+// Radiance .hdr (RGBE or XYZE, flat or run-length coded) or OpenEXR (scan lines or tiles; R, G, B
+// or Y, else the first layer with R, G and B; of several parts the first with colours), as linear
+// Rec. 709 with alpha 1: other chromaticities are converted. The picture is OpenEXR's display
+// window, black where there is no data. Infinite, NaN and negative values become finite,
+// non-negative ones. Each such change is a warning.
 Result<FloatImage> read_environment_image(std::span<const std::byte> bytes, std::string_view name,
                                           ReadWarnings& warnings);
 
-// Any of the above, for tools and tests: values of an OpenEXR file are as stored, with its alpha.
+// Any of the above, for tools and tests: OpenEXR as read_layers and layer_image have it.
 Result<AnyImage> read_image(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace hm

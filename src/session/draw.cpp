@@ -16,7 +16,8 @@ Result<PictureSetup> set_up(const RenderSettings& settings, Stage& stage, const 
     const Clock::time_point start = Clock::now();
     const bool is_first = !stage.environment;
     if (is_first) {
-        HM_TRY_ASSIGN(stage.environment, choose_environment(settings.light, stage.scene));
+        HM_TRY_ASSIGN(stage.environment,
+                      choose_environment(settings.light, stage.scene, diagnostics));
         const EnvironmentChoice& chosen = *stage.environment;
         stage.fingerprint.environment = chosen.hash.empty() ? chosen.name : chosen.hash;
     }

@@ -16,7 +16,8 @@ bool has_punctual_light(const Scene& scene) {
 
 }  // namespace
 
-Result<EnvironmentChoice> choose_environment(const LightSettings& light, const Scene& scene) {
+Result<EnvironmentChoice> choose_environment(const LightSettings& light, const Scene& scene,
+                                             Diagnostics& diagnostics) {
     const bool automatic = light.environment == EnvironmentKind::automatic;
     if (light.environment == EnvironmentKind::none ||
         (automatic && light.punctual && has_punctual_light(scene)))
@@ -29,6 +30,8 @@ Result<EnvironmentChoice> choose_environment(const LightSettings& light, const S
     HM_TRY_ASSIGN(const ByteArray bytes, read_file(light.environment_file));
     ReadWarnings warnings;
     HM_TRY_ASSIGN(const FloatImage image, read_environment_image(bytes, file, warnings));
+    for (std::string& warning : warnings)
+        diagnostics.warn(file, "", std::move(warning));
     Hasher hash;
     hash.add(bytes);
     return EnvironmentChoice{

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/diagnostics.h"
 #include "base/result.h"
 #include "scene/environment.h"
 #include "scene/scene.h"
@@ -17,6 +18,8 @@ struct EnvironmentChoice {
 };
 
 // The settings' file, black, or the default sky if no punctual light is used.
-Result<EnvironmentChoice> choose_environment(const LightSettings& light, const Scene& scene);
+// What was wrong with the file although it could be read is a warning.
+Result<EnvironmentChoice> choose_environment(const LightSettings& light, const Scene& scene,
+                                             Diagnostics& diagnostics);
 
 }  // namespace hm
