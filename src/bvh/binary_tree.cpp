@@ -15,12 +15,12 @@ namespace hm {
 namespace {
 
 constexpr std::uint32_t kBins = 32;
-constexpr std::uint32_t kSweepCount = 16;       // so few boxes are sorted instead of binned
-constexpr std::uint32_t kTaskCount = 4096;      // subtrees this large become tasks
+constexpr std::uint32_t kSweepCount = 16;       // up to this many boxes: full sweep, no binning
+constexpr std::uint32_t kTaskCount = 4096;      // larger subtrees become parallel tasks
 constexpr std::uint32_t kBlockCount = 1 << 16;  // larger nodes are binned and split in blocks
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Three floats in a register; the fourth lane is not read.
+// Three floats in a SIMD register; the fourth lane is unused.
 using Lanes = float __attribute__((vector_size(16)));
 
 Lanes load(const float* p) {
@@ -47,7 +47,7 @@ struct Extent {
 Extent extent_of(const BvhBox& box) {
     return {load(box.lo), load(box.hi)};
 }
-// Half of each first: the sum of two finite floats may not be finite.
+// Halves each term before adding: the sum of two finite floats can overflow.
 Lanes centre_of(const Extent& e) {
     return e.lo * 0.5f + e.hi * 0.5f;
 }
@@ -61,7 +61,7 @@ struct Bins {
     Bin at[3][kBins];
 };
 
-// How boxes are dealt to bins: index = (centre - origin) * scale, axis by axis.
+// Maps box centroids to bins: index = (centre - origin) * scale, per axis.
 struct Binning {
     Lanes origin, scale;
 
@@ -77,8 +77,8 @@ struct Binning {
     }
 };
 
-// What SAH counts: a leaf costs the same with one triangle as with eight. Measured against counting
-// triangles: a seventh fewer leaves and 2 % fewer visits.
+// The primitive count in the SAH cost: a leaf costs the same with one triangle as with eight.
+// Measured against counting triangles: a seventh fewer leaves and 2 % fewer visits.
 float packets(std::uint32_t count) {
     return float((count + kBvhWidth - 1) / kBvhWidth);
 }
@@ -86,10 +86,11 @@ float packets(std::uint32_t count) {
 struct Split {
     float cost = kInfinity;
     int axis = -1;
-    std::uint32_t position = 0;  // bins or boxes on the left
+    std::uint32_t position = 0;  // number of bins or boxes in the left child
 };
 
-// Calls f(block) for each block of kBlockCount boxes; blocks depend on the count only.
+// Calls f(block) in parallel for each block of kBlockCount boxes; the blocks depend only on the
+// count, not on the number of threads.
 template <class F>
 void for_blocks(std::uint32_t count, F f) {
     const std::uint32_t blocks = (count + kBlockCount - 1) / kBlockCount;
@@ -134,7 +135,7 @@ class Builder {
         node.count = count;
     }
 
-    // Areas are taken of boxes scaled to about one, so they neither overflow nor vanish.
+    // Areas are computed from boxes scaled to a size of about one, to avoid overflow and underflow.
     void set_area_scale(const Extent& e) {
         float size = 0;
         for (int a = 0; a < 3; ++a)
@@ -172,8 +173,9 @@ class Builder {
         }
     }
 
-    // Splits the range in two, the left part first, and returns the left part's size. Halving keeps
-    // the depth within bounds where SAH has eaten up the levels or cannot tell the boxes apart.
+    // Partitions the range in two, left part first, and returns the left part's size. Falls back to
+    // a median split, which bounds the depth, if SAH splits have used up the levels or SAH finds no
+    // split.
     std::uint32_t split(std::uint32_t first, std::uint32_t count, std::uint32_t depth,
                         const Extent& centres) {
         const auto levels_needed = std::uint32_t(std::bit_width(count - 1));
@@ -201,7 +203,7 @@ class Builder {
         return count / 2;
     }
 
-    // All splits along the three axes, exactly. 0: no split is better than another.
+    // Exact SAH over all splits along the three axes. Returns 0 if it finds no split.
     std::uint32_t split_by_sweep(std::uint32_t first, std::uint32_t count) {
         Extent extents[kSweepCount];
         Lanes centres[kSweepCount];
@@ -317,7 +319,7 @@ class Builder {
         return std::uint32_t(std::partition(begin, begin + count, on_left) - begin);
     }
 
-    // Counts per block, then every block copies its boxes to their places; the order is kept.
+    // Stable parallel partition: counts per block, prefix sum, then each block scatters its boxes.
     template <class Predicate>
     std::uint32_t partition_in_blocks(std::uint32_t first, std::uint32_t count, Predicate on_left) {
         const std::uint32_t blocks = (count + kBlockCount - 1) / kBlockCount;

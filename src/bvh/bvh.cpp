@@ -13,12 +13,12 @@
 namespace hm {
 namespace {
 
-constexpr std::uint32_t kStatic = 0;  // the tree of what lies in world space; meshes' trees follow
+constexpr std::uint32_t kStatic = 0;  // index of the world-space tree; the meshes' trees follow
 
 struct Plan {
-    std::vector<std::vector<TreePart>> trees;  // [kStatic] and one per shared mesh
-    std::vector<std::uint32_t> tree_of_mesh;   // kStatic: not shared
-    std::vector<std::uint32_t> instances;      // that are met through their transform
+    std::vector<std::vector<TreePart>> trees;  // [kStatic], then one per shared mesh
+    std::vector<std::uint32_t> tree_of_mesh;   // kStatic if the mesh is not shared
+    std::vector<std::uint32_t> instances;      // instances not merged into the static tree
     std::uint64_t merged = 0;
 };
 
@@ -61,13 +61,13 @@ Plan make_plan(std::span<const BvhMesh> meshes, std::span<const BvhInstance> ins
     return plan;
 }
 
-// A reference as it is after `nodes` and `packets` others were put before the tree's own.
+// A child reference, offset by the `nodes` and `packets` that precede the tree's own.
 std::uint32_t moved(std::uint32_t ref, std::size_t nodes, std::size_t packets) {
     if (ref == kBvhEmpty) return ref;
     return ref + std::uint32_t((ref & kBvhKindMask) == kBvhInner ? nodes : packets);
 }
 
-// Appends the trees' nodes, packets and ids to `bvh`, and makes the trees' roots refer to there.
+// Concatenates the trees' nodes, packets and ids in `bvh` and updates the trees' roots to match.
 void append_trees(Bvh& bvh, std::span<MeshTree> trees) {
     std::vector<std::size_t> first_node;
     std::vector<std::size_t> first_packet;
@@ -98,8 +98,9 @@ void append_trees(Bvh& bvh, std::span<MeshTree> trees) {
     });
 }
 
-// World-space box of an instance: what its world_to_object, which traversal uses, maps into the
-// mesh's box. `reach` pads it by the rounding of rays that start within such coordinates.
+// World-space bounds of an instance: the preimage of the mesh's box under world_to_object, the
+// transform that traversal uses. They are padded by the rounding error of transforming rays whose
+// origin coordinates are at most `reach` in magnitude.
 BvhBounds instance_bounds(const BvhBounds& object, const mat4x3& world_to_object,
                           const glm::dvec3& reach) {
     const glm::dmat3 m(world_to_object);
@@ -114,7 +115,8 @@ BvhBounds instance_bounds(const BvhBounds& object, const mat4x3& world_to_object
     const glm::dvec3 hi(object.hi[0], object.hi[1], object.hi[2]);
     const glm::dvec3 centre = inverse * (0.5 * (lo + hi) - shift);
     const glm::dvec3 half = absolute(inverse) * (0.5 * (hi - lo));
-    // A transformed coordinate has four terms, three sums: at most 2^-24 * 4 of their sizes' sum.
+    // A transformed coordinate has four terms and three additions: its rounding error is at most
+    // 4 * 2^-24 times the sum of the terms' magnitudes.
     const glm::dvec3 rounding =
         8 * 0x1p-24 * (absolute(inverse) * (absolute(m) * reach + glm::abs(shift)));
     BvhBounds world;
@@ -138,7 +140,8 @@ BvhInstanceRef instance_ref(const BvhInstance& instance, std::uint32_t index,
     return ref;
 }
 
-// The tree over the static tree, as if it were one more instance, and the instances.
+// Builds the top-level tree over the instances and the static tree, which is treated as one more
+// instance.
 void add_top_level(Bvh& bvh, const WideTree& static_tree, std::span<const BvhInstance> instances) {
     std::vector<BvhBox> boxes;
     const auto add_box = [&](const BvhBounds& b, std::uint32_t ref) {

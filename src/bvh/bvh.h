@@ -1,5 +1,5 @@
-// The CPU's acceleration structure: two levels (meshes, instances), binary trees built with binned
-// SAH and collapsed to eight-wide nodes.
+// The CPU's acceleration structure: a two-level BVH (meshes, instances), built as binary trees with
+// binned SAH and collapsed to eight-wide nodes.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace hm {
 struct BvhGeometry {
     std::span<const Vertex> vertices;
     std::span<const uvec3> triangles;
-    bool opaque = true;  // else hits are offered to the any-hit callback
+    bool opaque = true;  // false: the any-hit callback is called for hits
 };
 
 struct BvhMesh {
@@ -28,16 +28,16 @@ struct BvhInstance {
 };
 
 struct BvhStats {
-    std::uint64_t triangles = 0;             // unique, kept
-    std::uint64_t degenerate_triangles = 0;  // zero area or not finite: left out
+    std::uint64_t triangles = 0;             // unique, without degenerate ones
+    std::uint64_t degenerate_triangles = 0;  // skipped: zero area, infinite or NaN
     std::uint64_t nodes = 0;
     std::uint64_t packets = 0;           // leaves
-    std::uint64_t merged_instances = 0;  // whose triangles lie in the static world-space tree
+    std::uint64_t merged_instances = 0;  // instances whose triangles are in the world-space tree
     std::uint64_t bytes = 0;
     double build_seconds = 0;
 };
 
-// Owns what BvhView points to. The view lives as long as this does and is not moved.
+// Owns the memory that BvhView points to. A view is valid while this object lives and is not moved.
 struct Bvh {
     std::vector<BvhNode> nodes;
     std::vector<BvhPacket> packets;
@@ -52,10 +52,11 @@ struct Bvh {
     }
 };
 
-// Meshes that one instance uses are put, in world space, into one tree together; the others keep a
-// tree each and are met through their instances. An instance whose world_to_object is not finite
-// (a flattened mesh) is put into the common tree too. Uses the current oneTBB arena; the result
-// does not depend on its size. Indices must be within their spans, counts of triangles below 2^30.
+// Meshes used by a single instance are merged, in world space, into one static tree; each other
+// mesh gets its own tree, which is traversed through its instances. An instance whose
+// world_to_object is not finite (a flattened mesh) is merged into the static tree too. Runs in the
+// current oneTBB arena; the result does not depend on the number of threads. Indices must be in
+// range and triangle counts below 2^30.
 Bvh build_bvh(std::span<const BvhMesh> meshes, std::span<const BvhInstance> instances);
 
 }  // namespace hm

@@ -11,8 +11,8 @@
 namespace hm::bvh_test {
 namespace {
 
-// Walks the tree below `ref`: boxes lie within their parents', every triangle is met once, leaves
-// and depth are within bounds. Returns the levels of nodes.
+// Walks the subtree at `ref`: checks that boxes lie within their parents' boxes and that leaves are
+// valid, and records every triangle seen. Returns the number of node levels.
 struct Checker {
     const Bvh& bvh;
     std::multiset<std::array<std::uint32_t, 3>> seen;
@@ -166,7 +166,7 @@ TEST(Bvh, IdenticalCentroidsBuildAndTrace) {
     EXPECT_EQ(traced.hits[0].primitive, 0u);
 }
 
-// Each triangle is a hundredth of the one before: SAH splits them off one by one.
+// Triangle sizes form a geometric sequence (factor 10): SAH splits them off one by one.
 TEST(Bvh, GeometricSequencesStayWithinTheDepth) {
     Soup soup;
     for (int copy = 0; copy < 40; ++copy)

@@ -1,4 +1,5 @@
-// Scenes of several meshes and instances: what is merged, what is not, and that both are hit alike.
+// Scenes of several meshes and instances: which instances are merged, and that merged and unmerged
+// ones give correct hits.
 #include <algorithm>
 
 #include "bvh/test_scene.h"
@@ -23,7 +24,7 @@ Placed place(const glm::dmat3& linear, const glm::dvec3& shift) {
     return placed;
 }
 
-// Turned, stretched unevenly, every third one mirrored.
+// A random rotation with non-uniform scale; every third one is mirrored.
 Placed random_place(Random& random, int index, float half) {
     glm::dmat3 m;
     const glm::dvec3 x(random.direction());
@@ -50,7 +51,8 @@ std::vector<Ray> random_rays(Random& random, int count, float half) {
     return rays;
 }
 
-// Against every triangle of every instance, in double and in world space.
+// Compares with a brute-force search over all triangles of all instances, in double precision and
+// world space.
 void expect_double(const TestScene& scene, const Bvh& bvh, const std::vector<Ray>& rays) {
     const Traced traced = trace_all(bvh, rays);
     constexpr double kMargin = 1e-3;

@@ -10,7 +10,7 @@
 namespace hm {
 namespace {
 
-constexpr std::uint32_t kBlock = 1 << 15;  // triangles or leaves a task handles
+constexpr std::uint32_t kBlock = 1 << 15;  // triangles per task
 
 struct Corners {
     vec3 at[3];
@@ -39,7 +39,7 @@ BvhBox box_of(const Corners& corners, std::uint32_t primitive, std::uint32_t par
     return {{lo.x, lo.y, lo.z}, primitive, {hi.x, hi.y, hi.z}, part};
 }
 
-// A run of triangles of one part, and where its boxes go.
+// A range of one part's triangles and the offset at which its boxes are written.
 struct Block {
     std::uint32_t part, first, count;
     std::size_t offset;

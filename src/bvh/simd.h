@@ -1,5 +1,5 @@
-// Eight floats at a time for bvh/traverse.h, which is compiled once per instruction set. Every
-// operation is a correctly rounded IEEE one, so all variants give the same bits.
+// Eight-wide float SIMD for bvh/traverse.h, which is compiled once per instruction set. Every
+// operation is correctly rounded (IEEE 754), so all variants give bit-identical results.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace hm {
 
-// lowest(a, b) is a < b ? a : b in each lane and highest(a, b) a > b ? a : b: b where one is NaN or
-// both are zeros. Comparisons give a bit per lane and are false where one side is NaN.
+// Per lane, lowest(a, b) is a < b ? a : b and highest(a, b) is a > b ? a : b: both return b if
+// either is NaN or both are zero. Comparisons return a bit per lane, false if either side is NaN.
 #if defined(__AVX2__)
 
 struct Float8 {

@@ -1,4 +1,4 @@
-// Triangles, rays and oracles that the BVH's tests share.
+// Triangles, rays and reference intersectors shared by the BVH tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ struct Random {
     }
 };
 
-// Vertices and triangles of one geometry; spans into it stay valid while it is not changed.
+// Vertices and triangles of one geometry; spans into it stay valid until it is modified.
 struct Soup {
     std::vector<Vertex> vertices;
     std::vector<uvec3> triangles;
@@ -95,8 +95,8 @@ inline Traced trace(const TraceVariant& variant, const Bvh& bvh, const std::vect
     return result;
 }
 
-// Traces with every build, requires that they agree bit for bit and that any-hit finds something
-// exactly where closest-hit does, and returns the common answer.
+// Traces with every variant, expects bit-identical results and that any-hit finds a hit exactly
+// where closest-hit does, and returns the common result.
 inline Traced trace_all(const Bvh& bvh, const std::vector<Ray>& rays,
                         std::uint32_t accept = kAcceptAll) {
     const Traced first = trace(trace_variants()[0], bvh, rays, false, accept);
@@ -111,8 +111,8 @@ inline Traced trace_all(const Bvh& bvh, const std::vector<Ray>& rays,
     return first;
 }
 
-// Möller and Trumbore in double; `margin` is how far inside the triangle the hit lies, as the
-// smallest barycentric weight (negative: outside).
+// Möller-Trumbore in double precision; `margin` is the smallest barycentric weight, i.e. how far
+// inside the triangle the hit lies (negative: outside).
 struct DoubleHit {
     double t, u, v, margin;
 };

@@ -1,5 +1,5 @@
-// One of the builds that trace_batch.h offers. Everything in the two namespaces gets a name of its
-// own here, so that no inline function compiled for a newer processor is linked into other code.
+// One of the variants that trace_batch.h offers. Both namespaces are renamed per variant, so that
+// the linker never uses an inline function compiled for a newer CPU in other code.
 #define HM_PASTE_INNER(a, b) a##b
 #define HM_PASTE(a, b) HM_PASTE_INNER(a, b)
 #define hm HM_PASTE(hm_, HM_BATCH_VARIANT)

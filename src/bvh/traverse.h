@@ -1,31 +1,31 @@
-// Closest and any hit of a ray, nearest children first. Header only: it is compiled inside one
-// translation unit per instruction set, so nothing here may leave a weak symbol behind.
+// BVH traversal for the closest hit or any hit of a ray, nearest child first. Header only: it is
+// compiled in one translation unit per instruction set, so nothing here may emit a weak symbol.
 //
-// The answer does not depend on the tree or the visiting order: equal distances go to the lower
+// The result does not depend on the tree or the traversal order: ties in distance go to the lower
 // (instance, geometry, primitive), a box entered exactly at the best distance is still visited, and
-// a hit is never nearer than its triangle's box as the box test computes it.
+// a hit's t is never less than the box test's entry distance into its triangle's bounding box.
 //
-// accept(const Hit&) -> bool is asked about hits on geometries that are not opaque, in any order,
-// at most once per triangle, also about hits that prove not to be the closest.
+// accept(const Hit&) -> bool is called for hits on non-opaque geometries, in any order and at most
+// once per triangle, including hits that turn out not to be the closest.
 #pragma once
 
 #include "bvh/triangle.h"
 
 namespace hm {
 
-// What the traversal knows while it runs. Stack entries are (entry distance's bits << 32) | child:
-// distances are not negative, so entries sort as integers.
+// Traversal state. Stack entries are (bits of the entry distance << 32) | child: distances are not
+// negative, so entries sort as integers.
 struct BvhWalk {
     float best_t;
     float best_u, best_v;
     std::uint32_t best_slot;      // 8 * packet + lane
-    std::uint32_t best_instance;  // index into BvhView::instances or kBvhEmpty: world space
-    std::uint32_t instance;       // the same of where the walk is
+    std::uint32_t best_instance;  // index into BvhView::instances; kBvhEmpty: world space
+    std::uint32_t instance;       // the same for the current position of the traversal
     float instance_entry;
 };
 
 inline constexpr std::uint32_t kBvhNoSlot = 0xffffffffu;
-inline constexpr std::uint32_t kBvhLeaveInstance = 0xffffffffu;  // on the stack, at distance 0
+inline constexpr std::uint32_t kBvhLeaveInstance = 0xffffffffu;  // stack marker, at distance 0
 
 HM_ALWAYS_INLINE BvhTriangleId triangle_id(const BvhView& view, std::uint32_t instance,
                                            std::uint32_t slot) {
@@ -40,7 +40,7 @@ HM_ALWAYS_INLINE bool lower_id(const BvhTriangleId& a, const BvhTriangleId& b) {
     return a.primitive < b.primitive;
 }
 
-// Takes the packet's hits that are better than the best so far. True ends the walk (any hit).
+// Updates the best hit with the packet's hits. Returns true if traversal can stop (any hit).
 template <bool kAny, class Accept>
 HM_ALWAYS_INLINE bool visit_packet(const BvhView& view, std::uint32_t index, const TriangleRay& ray,
                                    BvhWalk& walk, Accept& accept) {
@@ -73,7 +73,7 @@ HM_ALWAYS_INLINE bool visit_packet(const BvhView& view, std::uint32_t index, con
     return false;
 }
 
-// Bit per child that the ray enters no later than `best_t`, and where.
+// Returns a bit per child that the ray enters at or before `best_t`; `entry` gets the distances.
 HM_ALWAYS_INLINE std::uint32_t enter_children(const BvhNode& node, const BoxRay& ray, float best_t,
                                               Float8& entry) {
     const auto near_at = [&](std::uint32_t a) {
@@ -97,7 +97,7 @@ HM_ALWAYS_INLINE void prefetch_child(const BvhView& view, std::uint64_t entry) {
         __builtin_prefetch(at + 64 * line);
 }
 
-// Nearest last.
+// Insertion sort, nearest last.
 HM_ALWAYS_INLINE void sort_entries(std::uint64_t* first, std::uint64_t* last) {
     for (std::uint64_t* i = first + 1; i < last; ++i) {
         const std::uint64_t moved = *i;
@@ -108,7 +108,8 @@ HM_ALWAYS_INLINE void sort_entries(std::uint64_t* first, std::uint64_t* last) {
     }
 }
 
-// The nearest of the children in `mask` (at least one); the others go on the stack.
+// Pushes the children in `mask` (at least one) except the nearest, which it returns. With kAny,
+// three or more children are not sorted.
 template <bool kAny>
 HM_ALWAYS_INLINE std::uint64_t push_children(const BvhView& view, const BvhNode& node,
                                              std::uint32_t mask, Float8 entry, std::uint64_t* stack,
@@ -209,7 +210,7 @@ HM_ALWAYS_INLINE bool trace_closest(const BvhView& view, const Ray& ray, Hit& hi
     return true;
 }
 
-// True when anything lies in 0 < t < t_max.
+// Returns whether there is any hit with 0 < t < t_max.
 template <class Accept>
 HM_ALWAYS_INLINE bool trace_any(const BvhView& view, const Ray& ray, Accept&& accept) {
     BvhWalk walk;

@@ -18,7 +18,7 @@ std::vector<Ray> random_rays(Random& random, int count, float half) {
     return rays;
 }
 
-// Every triangle alone in a packet, without any tree: the exact answer, bit by bit.
+// Reference without a tree: each triangle alone in a packet. Results must be bit-identical.
 std::optional<Hit> brute_force(const Soup& soup, const Bvh& bvh, const Ray& ray, bool only_even) {
     const float origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
     const float direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
@@ -52,7 +52,7 @@ void expect_brute_force(const Soup& soup, const Bvh& bvh, const std::vector<Ray>
             << "ray " << i << ": " << expected->primitive << " at " << expected->t << ", got "
             << traced.hits[i].primitive << " at " << traced.hits[i].t;
     }
-    EXPECT_GT(found, int(rays.size() / 60));  // else the rays prove nothing
+    EXPECT_GT(found, int(rays.size() / 60));  // enough rays must hit for the test to be meaningful
 }
 
 TEST(Traverse, SoupsAgreeWithBruteForceBitByBit) {
@@ -63,7 +63,7 @@ TEST(Traverse, SoupsAgreeWithBruteForceBitByBit) {
     }
 }
 
-// Needles so thin that rounding moves t along them: boxes must still hide nothing.
+// Needles so thin that rounding errors shift t along them: the box test must still not cull hits.
 TEST(Traverse, NeedlesAgreeWithBruteForceBitByBit) {
     Random random{2};
     Soup soup;
@@ -89,8 +89,9 @@ TEST(Traverse, SoupsAgreeWithDouble) {
     const Soup soup = random_soup(random, 300, 1, 0.5f);
     const std::vector<Ray> rays = random_rays(random, 5000, 1.5f);
     const Traced traced = trace_all(build_one(soup), rays);
-    // Coordinates are below 4 and triangles about 0.3 wide. A sheared coordinate is off by some
-    // 2^-22; a weight by that over the triangle's width as seen, 1e-2 for nearly all.
+    // Coordinates are below 4 and triangles about 0.3 wide. The error of a sheared coordinate is
+    // about 2^-22; that of a barycentric weight is this divided by the triangle's projected width,
+    // which is at least 1e-2 for nearly all.
     constexpr double kMargin = 1e-4;
     int compared = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -136,8 +137,8 @@ TEST(Traverse, BarycentricsGiveTheHitPoint) {
         const glm::dvec3 expected = (1 - u - v) * a + u * b + v * c;
         const glm::dvec3 p =
             glm::dvec3(rays[i].origin) + double(h.t) * glm::dvec3(rays[i].direction);
-        // Across the ray the point is off by rounding of the sheared coordinates (below 8), along
-        // it too: t and the weights are computed from the same numbers.
+        // Perpendicular to the ray the error is the rounding of the sheared coordinates (below 8);
+        // along it the same, as t and the weights are computed from the same values.
         ASSERT_LT(glm::length(p - expected), 1e-5) << "ray " << i;
     }
 }
@@ -146,7 +147,7 @@ TEST(Traverse, CoincidentTrianglesGiveTheLowestId) {
     Random random{5};
     const Soup once = random_soup(random, 50, 1, 1);
     for (int order = 0; order < 2; ++order) {
-        // Each triangle three times, with its corners turned, in two different orders.
+        // Each triangle three times, in two different orders.
         std::vector<Soup> soups(2);
         std::vector<std::uint32_t> of;
         for (int copy = 0; copy < 2; ++copy)
@@ -167,7 +168,7 @@ TEST(Traverse, CoincidentTrianglesGiveTheLowestId) {
     }
 }
 
-// Two flat sheets at the same height whose diagonals differ: equal distances in different boxes.
+// Overlapping coplanar triangles: equal distances in different boxes.
 TEST(Traverse, OverlappingFlatSheetsGiveTheLowestId) {
     Soup soup;
     Random random{6};
@@ -211,7 +212,7 @@ TEST(Traverse, AcceptIsAskedOncePerTriangle) {
         EXPECT_EQ(std::adjacent_find(asked.begin(), asked.end()), asked.end());
         const std::size_t all = asked.size();
         EXPECT_FALSE(trace_any(view, ray, refuse));
-        EXPECT_EQ(asked.size(), 2 * all);  // nothing accepted: both see every candidate
+        EXPECT_EQ(asked.size(), 2 * all);  // nothing is accepted, so both see every candidate
     }
 }
 

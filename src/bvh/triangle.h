@@ -1,5 +1,5 @@
-// The watertight triangle test of Woop, Benthin and Wald (JCGT 2013) over the eight triangles of a
-// packet. A ray through a shared edge or vertex hits at least one of the triangles there.
+// The watertight ray/triangle test of Woop, Benthin and Wald (JCGT 2013) for the eight triangles of
+// a packet. A ray through a shared edge or vertex hits at least one of the adjacent triangles.
 #pragma once
 
 #include "bvh/ray_space.h"
@@ -10,9 +10,9 @@ struct alignas(32) PacketHits {
     float t[kBvhWidth], u[kBvhWidth], v[kBvhWidth];
 };
 
-// One lane in double: there the products of the edge functions are exact, so their signs are. Used
-// where single precision gives an edge function of zero or leaves its range, and next to the
-// origin.
+// One lane in double precision, where the products in the edge functions, and hence their signs,
+// are exact. Fallback for edge functions that are zero or out of range in single precision, and for
+// hits close to the ray origin.
 __attribute__((noinline)) static inline bool intersect_lane_double(const BvhPacket& packet,
                                                                    std::uint32_t lane,
                                                                    const TriangleRay& ray,
@@ -43,7 +43,7 @@ __attribute__((noinline)) static inline bool intersect_lane_double(const BvhPack
     return hits.t[lane] > 0 && hits.t[lane] <= t_max;
 }
 
-// Bit per lane hit with 0 < t <= t_max.
+// Returns a bit per lane that is hit with 0 < t <= t_max.
 HM_ALWAYS_INLINE std::uint32_t intersect_packet(const BvhPacket& packet, const TriangleRay& ray,
                                                 float t_max, PacketHits& hits) {
     const Float8 ox = splat8(ray.origin[ray.kx]);
@@ -61,8 +61,8 @@ HM_ALWAYS_INLINE std::uint32_t intersect_packet(const BvhPacket& packet, const T
     const Float8 by = (load8(packet.position[1][ray.ky]) - oy) - shear_y * bz;
     const Float8 cy = (load8(packet.position[2][ray.ky]) - oy) - shear_y * cz;
 
-    // Twice the areas seen from the ray, opposite to each vertex. Rounding is monotone, so a sign
-    // other than zero is right; two different ones are a miss whatever the third is.
+    // Edge functions: twice the projected areas opposite to each vertex. Rounding is monotone, so a
+    // nonzero result has the correct sign; two opposite signs are a miss whatever the third is.
     const Float8 a = cx * by - cy * bx;
     const Float8 b = ax * cy - ay * cx;
     const Float8 c = bx * ay - by * ax;
@@ -76,13 +76,13 @@ HM_ALWAYS_INLINE std::uint32_t intersect_packet(const BvhPacket& packet, const T
     const Float8 inverse = splat8(1) / sum;
     const Float8 u = b * inverse;
     const Float8 v = c * inverse;
-    // In this form triangles of one plane across the ray are at one distance exactly.
+    // In this form, triangles in a common plane perpendicular to axis kz get exactly the same t.
     const Float8 depth = az + (u * (bz - az) + v * (cz - az));
     const Float8 t = splat8(ray.scale_z) * depth;
-    // Beyond these 1 / sum or an edge function is no longer a normal number.
+    // Outside these limits 1 / sum or an edge function may be denormal or overflow.
     const Float8 size = highest(sum, zero - sum);
-    // The depth is off by the rounding of a narrow triangle's length, which is more than what a ray
-    // that leaves the triangle was moved off it.
+    // For a narrow triangle the rounding error of the depth grows with the triangle's length and
+    // exceeds the offset between the origin of a ray that leaves the triangle and the triangle.
     const Float8 length = highest(highest(az, bz), cz) - lowest(lowest(az, bz), cz);
     const Float8 near = splat8(0x1p-12f) * length;
     const std::uint32_t sure = mask_differ(a, zero) & mask_differ(b, zero) & mask_differ(c, zero) &
@@ -99,8 +99,8 @@ HM_ALWAYS_INLINE std::uint32_t intersect_packet(const BvhPacket& packet, const T
     return hit;
 }
 
-// Where the ray enters the box of one triangle, computed as for a node's child. Rounding is
-// monotone, so no box around the triangle is entered later.
+// Entry distance of the ray into one triangle's bounding box, computed as for a node's child.
+// Rounding is monotone, so no enclosing box has a larger entry distance.
 HM_ALWAYS_INLINE float triangle_entry(const BvhPacket& packet, std::uint32_t lane,
                                       const TriangleRay& ray) {
     float entry = 0;

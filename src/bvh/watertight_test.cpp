@@ -1,4 +1,4 @@
-// Rays aimed from inside at the shared edges and vertices of closed meshes never get out.
+// Rays aimed from inside a closed mesh at its shared edges and vertices never leak out.
 #include "bvh/test_scene.h"
 
 namespace hm::bvh_test {
@@ -28,7 +28,7 @@ Soup sphere(std::uint32_t rings, std::uint32_t sectors, vec3 centre, float radiu
     return soup;
 }
 
-// A cube of side 2 * half; its faces share the vertices on the edges.
+// A cube with side length 2 * half; its faces share the vertices on the edges.
 Soup cube(int cells, vec3 centre, float half) {
     Soup soup;
     const int n = cells + 1;
@@ -58,7 +58,7 @@ Soup cube(int cells, vec3 centre, float half) {
     return soup;
 }
 
-// From inside towards vertices, points on edges and anything else.
+// Rays from inside towards vertices, edge midpoints and random points on edges.
 std::vector<Ray> rays_from_inside(const Soup& soup, Random& random, int count, vec3 centre,
                                   float half) {
     std::vector<Ray> rays;
@@ -101,8 +101,8 @@ TEST(Watertight, CubeDoesNotLeak) {
     expect_no_leak(soup, rays_from_inside(soup, random, 150000, {0, 0, 0}, 0.9f));
 }
 
-// Along the axes and diagonals from points of the grid: zero components, origins on the planes of
-// boxes, rays through vertices and along the planes between boxes.
+// Along the axes and diagonals from grid points: zero direction components, origins on box planes,
+// rays through vertices and along the planes between boxes.
 TEST(Watertight, AxisAlignedRaysOnTheGridDoNotLeak) {
     for (const vec3 centre : {vec3(0, 0, 0), vec3(0.1f, -3.7f, 100.3f)}) {
         const Soup soup = cube(16, centre, 1);
@@ -114,7 +114,7 @@ TEST(Watertight, AxisAlignedRaysOnTheGridDoNotLeak) {
                     for (int d = 0; d < 27; ++d) {
                         vec3 direction(d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1);
                         if (direction == vec3(0)) continue;
-                        if (d % 2 == 0)  // negative zeros too
+                        if (d % 2 == 0)  // also test negative zeros
                             for (std::size_t a = 0; a < 3; ++a)
                                 if (direction[a] == 0) direction[a] = -0.0f;
                         rays.push_back({origin, direction, kInfinity});
@@ -124,7 +124,7 @@ TEST(Watertight, AxisAlignedRaysOnTheGridDoNotLeak) {
     }
 }
 
-// A ray that runs within the plane of a cube's face, along the edge of other faces.
+// Rays that run in the plane of a cube's face, along the edges of other faces.
 TEST(Watertight, RaysAlongTheGridLinesOfAFaceAreHandled) {
     const Soup soup = cube(4, {0, 0, 0}, 1);
     std::vector<Ray> rays;
@@ -134,7 +134,7 @@ TEST(Watertight, RaysAlongTheGridLinesOfAFaceAreHandled) {
         rays.push_back({{x, -1, -3}, {-0.0f, 0, 1}, kInfinity});
         rays.push_back({{-1, x, 3}, {0, -0.0f, -1}, kInfinity});
     }
-    // The sides at z = -1 and z = 1 are closed squares: their rims belong to them.
+    // The sides at z = -1 and z = 1 are closed squares: their boundary belongs to them.
     const Traced traced = trace_all(build_one(soup), rays);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         ASSERT_NE(traced.found[i], 0) << i;
@@ -142,7 +142,7 @@ TEST(Watertight, RaysAlongTheGridLinesOfAFaceAreHandled) {
     }
 }
 
-// Rays that leave long narrow triangles, from points moved off them as shading does.
+// Rays that leave long narrow triangles, with origins offset from the surface as in shading.
 TEST(Watertight, ANarrowTriangleIsNotHitByRaysThatLeaveIt) {
     Soup soup;
     for (int i = 0; i < 100; ++i) {
@@ -150,7 +150,7 @@ TEST(Watertight, ANarrowTriangleIsNotHitByRaysThatLeaveIt) {
         soup.add({-16, 0, near}, {16, 0, near}, {16, 0, near + 0.3f});
         soup.add({-16, 0, near}, {16, 0, near + 0.3f}, {-16, 0, near + 0.3f});
     }
-    soup.add({-40, -40, -40}, {40, -40, -40}, {0, -40, 40});  // boxes are padded by a scene's size
+    soup.add({-40, -40, -40}, {40, -40, -40}, {0, -40, 40});  // padding scales with the scene size
     const Bvh bvh = build_one(soup);
     Random random{25};
     std::vector<Ray> rays;

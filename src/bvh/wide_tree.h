@@ -1,5 +1,5 @@
-// A binary tree collapsed into nodes with eight children, by the cheapest choice of which binary
-// nodes to keep (Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through
+// Collapses a binary tree into nodes with eight children, choosing the binary nodes to keep by
+// minimal SAH cost (Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through
 // Compressed Wide BVHs", 2017, section 3.2).
 #pragma once
 
@@ -16,17 +16,17 @@ struct WideLeaf {
     std::uint32_t first, count;
 };
 
-// Leaf children and a leaf root are kBvhPacket | index into `leaves`; what a leaf becomes is the
-// caller's business.
+// References to leaves (children or root) are kBvhPacket | index into `leaves`; the caller decides
+// what a leaf becomes.
 struct WideTree {
     std::vector<BvhNode> nodes;
     std::vector<WideLeaf> leaves;
     BvhBounds bounds{};
     std::uint32_t root = kBvhEmpty;
-    std::uint32_t depth = 0;  // levels of nodes
+    std::uint32_t depth = 0;  // number of node levels
 };
 
-// leaf_size: the most boxes in a leaf.
+// leaf_size: the maximum number of boxes in a leaf.
 WideTree collapse(std::span<const BinaryNode> nodes, std::uint32_t leaf_size);
 
 }  // namespace hm
