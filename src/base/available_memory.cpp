@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();
 
-// The number after `key` in a file of lines "key number"; an empty key takes the first line.
+// Reads the number after `key` in a file of "key number" lines; an empty key reads the number at
+// the start of the file.
 std::optional<std::uint64_t> read_number(const fs::path& path, const std::string& key) {
     std::ifstream file(path);
     for (std::string word; key.empty() || file >> word;) {
@@ -30,7 +31,7 @@ std::optional<std::uint64_t> read_number(const fs::path& path, const std::string
     return {};
 }
 
-// The files of one version of control groups.
+// The file names of one cgroup version.
 struct Version {
     const char* mount;
     const char* limit;
@@ -42,7 +43,7 @@ constexpr Version kVersion1 = {"sys/fs/cgroup/memory", "memory.limit_in_bytes",
 constexpr Version kVersion2 = {"sys/fs/cgroup", "memory.max", "memory.current", "inactive_file"};
 
 void apply_limit(const fs::path& group, const Version& version, MemoryFacts& facts) {
-    const auto limit = read_number(group / version.limit, "");  // "max" is not a number
+    const auto limit = read_number(group / version.limit, "");  // empty for "max": no limit
     if (!limit) return;
     const std::uint64_t usage = read_number(group / version.usage, "").value_or(0);
     const std::uint64_t reclaimable =
@@ -52,8 +53,9 @@ void apply_limit(const fs::path& group, const Version& version, MemoryFacts& fac
     facts.available_bytes = std::min(facts.available_bytes, *limit - std::min(*limit, used));
 }
 
-// `name`: the group's path from the mount. In a container the mount may show the container's own
-// group under a name that does not exist there, so the walk goes on to the mount itself.
+// `name`: the cgroup's path relative to the mount. Applies the limits of the cgroup and of all its
+// parents. In a container, the mount may be the container's own cgroup and the path may not exist
+// below it, so this goes up to the mount itself.
 void apply_limits(const fs::path& root, std::string name, const Version& version,
                   MemoryFacts& facts) {
     for (;; name.resize(name.rfind('/'))) {
@@ -70,7 +72,7 @@ MemoryFacts memory_facts(const fs::path& root) {
     if (const auto kib = read_number(info, "MemTotal:")) facts.total_bytes = *kib * 1024;
     if (const auto kib = read_number(info, "MemAvailable:")) facts.available_bytes = *kib * 1024;
 
-    // Lines "hierarchy:controllers:path"; version 2 names no controllers.
+    // Lines are "hierarchy:controllers:path"; in version 2 the list of controllers is empty.
     std::ifstream groups(root / "proc/self/cgroup");
     for (std::string line; std::getline(groups, line);) {
         const std::size_t first = line.find(':');

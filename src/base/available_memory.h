@@ -1,5 +1,5 @@
-// How much memory this process may use: what the system has, or less where a control group (a
-// container, a systemd slice) sets a limit.
+// How much memory this process may use: the system's memory, or less if a control group (cgroup of
+// a container or systemd slice) sets a limit.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ struct MemoryFacts {
     std::uint64_t available_bytes = 0;  // without swapping; reclaimable caches count as available
 };
 
-// The smaller of /proc/meminfo's figures and the limits of the process's control group, versions 1
-// and 2, and of all groups above it. `root` stands for / in tests.
+// The minimum of the values in /proc/meminfo and the limits of the process's cgroup (version 1 or
+// 2) and all its parents. Tests replace the root directory / by `root`.
 MemoryFacts memory_facts(const std::filesystem::path& root = "/");
 
 }  // namespace hm

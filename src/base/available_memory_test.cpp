@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMiB = 1 << 20;
 
-// A folder that stands for /.
+// Uses a temporary folder in place of /.
 class AvailableMemory : public ::testing::Test {
   protected:
     void SetUp() override {
@@ -50,7 +50,7 @@ TEST_F(AvailableMemory, IsLimitedByAnyGroupAboveInVersion2) {
     put("sys/fs/cgroup/user.slice/memory.stat",
         "anon 1\nactive_file 7\ninactive_file " + std::to_string(512 * kMiB) + "\n");
     EXPECT_EQ(facts().total_bytes, 2048 * kMiB);
-    EXPECT_EQ(facts().available_bytes, 1024 * kMiB);  // half of what is used is cache
+    EXPECT_EQ(facts().available_bytes, 1024 * kMiB);  // 512 of the 1536 MiB used are cache
 }
 
 TEST_F(AvailableMemory, FindsAContainersGroupAtTheMountInVersion1) {
@@ -63,7 +63,7 @@ TEST_F(AvailableMemory, FindsAContainersGroupAtTheMountInVersion1) {
 
 TEST_F(AvailableMemory, IsTheSystemsBelowALargerLimit) {
     put("proc/self/cgroup", "5:memory:/\n");
-    put("sys/fs/cgroup/memory/memory.limit_in_bytes", "9223372036854771712\n");  // version 1's none
+    put("sys/fs/cgroup/memory/memory.limit_in_bytes", "9223372036854771712\n");  // no limit (v1)
     put("sys/fs/cgroup/memory/memory.usage_in_bytes", "1\n");
     EXPECT_EQ(facts().total_bytes, 8192 * kMiB);
     EXPECT_EQ(facts().available_bytes, 4096 * kMiB);

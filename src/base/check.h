@@ -1,5 +1,5 @@
-// HM_CHECK: a bug becomes an exception with the condition, its location in the source and the
-// values that broke it.
+// HM_CHECK: an assertion that throws an exception with the condition, its source location and the
+// offending values.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,8 +9,7 @@
 
 namespace hm {
 
-// Not to be handled where it might have been thrown: front ends report it and give up the
-// operation.
+// Indicates a bug. Do not catch it locally: front ends report it and abort the operation.
 class CheckFailure : public std::logic_error {
   public:
     using std::logic_error::logic_error;

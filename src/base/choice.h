@@ -1,4 +1,5 @@
-// Enumerators with their names: one table per enumeration serves flags, metadata and reports.
+// Tables of enumerators with their names: one table per enum, shared by command-line flags,
+// metadata and reports.
 #pragma once
 
 #include <span>
@@ -15,7 +16,7 @@ struct Choice {
     T value;
 };
 
-// The name of a value that the table has.
+// The name of a value, which must be in the table.
 template <class T, std::size_t N>
 std::string_view name_of(const Choice<T> (&choices)[N], T value) {
     for (const Choice<T>& choice : choices)
@@ -24,7 +25,7 @@ std::string_view name_of(const Choice<T> (&choices)[N], T value) {
     return {};
 }
 
-// "a, b, c".
+// All names as "a, b, c".
 template <class T, std::size_t N>
 std::string names_of(const Choice<T> (&choices)[N]) {
     std::string names;

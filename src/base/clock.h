@@ -1,4 +1,4 @@
-// Wall-clock time spans.
+// Elapsed wall-clock time.
 #pragma once
 
 #include <chrono>

@@ -19,7 +19,7 @@ std::string Warning::line() const {
 
 void Diagnostics::warn(std::string file, std::string location, std::string message,
                        std::size_t count) {
-    // A zero byte parts the two: no path has one.
+    // Separated by a zero byte, which no path contains.
     const auto [found, is_new] = index_.try_emplace(file + '\0' + message, warnings_.size());
     if (is_new) {
         warnings_.push_back({std::move(file), std::move(location), std::move(message), count});

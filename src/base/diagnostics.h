@@ -1,4 +1,5 @@
-// Warnings gathered while input is read. The same warning at many places is kept once with a count.
+// Warnings collected while reading input. A warning that repeats at several locations is stored
+// once with a count.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +11,14 @@ namespace hm {
 
 struct Warning {
     std::string file;
-    std::string location;  // where it was seen first: a JSON pointer or empty
+    std::string location;  // of the first occurrence: a JSON pointer or empty
     std::string message;
     std::size_t count = 1;
 
     std::string line() const;  // "file: location: message (3 times)"; control characters escaped
 };
 
-// In the order of their first appearance. Not for several threads at once.
+// Warnings in order of first occurrence. Not thread-safe.
 class Diagnostics {
   public:
     void warn(std::string file, std::string location, std::string message, std::size_t count = 1);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file descriptor that closes itself.
+// RAII owner of a file descriptor.
 struct Descriptor {
     explicit Descriptor(int opened) : fd(opened) {}
     Descriptor(const Descriptor&) = delete;
@@ -28,10 +28,10 @@ struct Descriptor {
     int fd;
 };
 
-// A name beside the target; what is there is removed at the end, unless it was renamed away.
+// A temporary file in the target's folder. The destructor removes it unless it was renamed.
 struct TemporaryFile {
-    // Process and counter make the name unique; the target's own name is left out, since with
-    // anything added it could pass the file system's limit.
+    // Process id and counter make the name unique. It does not include the target's name, because
+    // the result could exceed the file system's limit on name lengths.
     explicit TemporaryFile(const fs::path& target)
         : path(target.parent_path() / fmt::format(".himalaya-{}-{}.part", ::getpid(), counter++)) {}
     TemporaryFile(const TemporaryFile&) = delete;
@@ -58,7 +58,7 @@ tl::unexpected<Error> unwritable(const fs::path& path, std::string message) {
 }
 
 Result<void> write_bytes(const fs::path& path, std::span<const std::byte> bytes) {
-    // 0666 less the umask, as any program that creates a file.
+    // Permissions are 0666 minus the umask, the default for new files.
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (file.fd < 0) return unwritable(path, error_text(errno));
     while (!bytes.empty()) {
@@ -67,7 +67,7 @@ Result<void> write_bytes(const fs::path& path, std::span<const std::byte> bytes)
         if (written < 0) return unwritable(path, error_text(errno));
         bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
-    // Network file systems report a full disk only here.
+    // Network file systems may report a full disk only on close.
     if (::close(std::exchange(file.fd, -1)) != 0) return unwritable(path, error_text(errno));
     return {};
 }
@@ -76,12 +76,12 @@ fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-// What writing to `path` replaces: through a symbolic link the file it leads to, not the link.
+// The file that writing to `path` replaces: for a symbolic link its target, not the link itself.
 Result<fs::path> replaceable_file(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) return unwritable(path, "it is a folder");
-    // Renaming over a device or a pipe would replace it.
+    // Renaming onto a device or pipe would replace it.
     if (fs::exists(status) && !fs::is_regular_file(status))
         return unwritable(path, "it exists and is not a regular file");
     if (!path.has_filename()) return unwritable(path, "it names no file");
@@ -93,7 +93,7 @@ Result<fs::path> replaceable_file(const fs::path& path) {
     return target;
 }
 
-// To the disk itself, past the system's memory.
+// Flushes the file's data from the page cache to disk.
 Result<void> sync_file(const fs::path& path) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.fd < 0 || (::fsync(file.fd) != 0 && errno != EINVAL))
@@ -101,7 +101,8 @@ Result<void> sync_file(const fs::path& path) {
     return {};
 }
 
-// The file's new name too. Some file systems can't, and the file is whole all the same.
+// Flushes the directory entry (the file's new name) too. Errors are ignored: some file systems
+// don't support it, and the file is complete anyway.
 void sync_folder(const fs::path& folder) {
     const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened.fd >= 0) ::fsync(opened.fd);
@@ -110,7 +111,7 @@ void sync_folder(const fs::path& folder) {
 }  // namespace
 
 Result<ByteArray> read_file(const fs::path& path) {
-    // O_NONBLOCK: opening a named pipe must not wait for its other end.
+    // O_NONBLOCK: opening a named pipe must not block until its other end is opened.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.fd < 0) return unreadable(path, "can't be opened: " + error_text(errno));
     struct stat info {};
@@ -142,7 +143,8 @@ Result<void> check_writable(const fs::path& path, std::uint64_t bytes) {
         ::open(temporary.path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (file.fd < 0) return unwritable(path, error_text(errno));
     if (::fallocate(file.fd, 0, 0, static_cast<off_t>(bytes)) == 0) return {};
-    // Not every file system can reserve room; each can take a byte, unless it is full.
+    // Fallback for file systems without fallocate: writing one byte succeeds unless the disk is
+    // full.
     if (errno != EOPNOTSUPP && errno != EINTR) return unwritable(path, error_text(errno));
     if (::write(file.fd, "", 1) != 1) return unwritable(path, error_text(errno));
     return {};
@@ -155,7 +157,7 @@ Result<void> write_atomically(const fs::path& path,
     Result<void> written = write(temporary.path);
     if (written) written = sync_file(temporary.path);
     if (!written) {
-        // The user knows `path`, not the temporary name.
+        // Report `path`, which the user knows, instead of the temporary name.
         Error why = std::move(written.error());
         if (why.file == temporary.path.string()) why.file = path.string();
         return tl::unexpected<Error>(std::move(why));

@@ -1,4 +1,5 @@
-// Whole files in and out. Writing never leaves half a file under the final name.
+// Reads and writes whole files. Writing is atomic: it never leaves a partial file under the final
+// name.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +13,17 @@
 
 namespace hm {
 
-// The bytes of a regular file. Fails with ErrorKind::unreadable (missing, a folder, no permission).
+// Reads a regular file. Fails with ErrorKind::unreadable (missing, a folder, no permission).
 Result<ByteArray> read_file(const std::filesystem::path& path);
 
-// Whether a file of so many bytes could be written to `path` now: for asking before hours of work.
-// Makes a temporary file in its folder, reserves the room and removes it again. Fails with
-// ErrorKind::unwritable.
+// Checks that a file of `bytes` bytes can be written to `path` now, for use before a long render.
+// Creates a temporary file in the same folder, reserves the disk space and removes the file again.
+// Fails with ErrorKind::unwritable.
 Result<void> check_writable(const std::filesystem::path& path, std::uint64_t bytes = 1);
 
-// Calls `write` with a temporary path in the same folder and renames the result to `path`; on any
-// failure the temporary file is removed and `path` is as it was. Once this returns, the file also
-// survives a loss of power. Fails with ErrorKind::unwritable.
+// Calls `write` with a temporary path in the same folder and renames the result to `path`. On any
+// failure the temporary file is removed and `path` is unchanged. On success the file has been
+// flushed to disk and survives a power loss. Fails with ErrorKind::unwritable.
 Result<void> write_atomically(
     const std::filesystem::path& path,
     const std::function<Result<void>(const std::filesystem::path&)>& write);

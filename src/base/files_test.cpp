@@ -67,7 +67,7 @@ TEST_F(Files, ReadingSaysWhyNot) {
     EXPECT_EQ(directory.error().kind, ErrorKind::unreadable);
 
     ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-    const auto pipe = read_file(folder_ / "pipe");  // nobody writes: must not wait
+    const auto pipe = read_file(folder_ / "pipe");  // has no writer: must not block
     ASSERT_FALSE(pipe);
     EXPECT_EQ(pipe.error().kind, ErrorKind::unreadable);
 }
@@ -78,7 +78,7 @@ TEST_F(Files, ReplacesAtOnceAndHonoursTheUmask) {
     const mode_t before = ::umask(027);
     const auto written = write_atomically(path, [&](const fs::path& temporary) -> Result<void> {
         EXPECT_EQ(temporary.parent_path(), folder_);
-        EXPECT_EQ(text_of(path), "old");  // untouched while the new one is being written
+        EXPECT_EQ(text_of(path), "old");  // unchanged while the new file is being written
         std::ofstream(temporary) << "new";
         return {};
     });
@@ -142,12 +142,12 @@ TEST_F(Files, ChecksBeforehandAndLeavesNothing) {
     };
     EXPECT_EQ(message(folder_), "can't be written: it is a folder");
     EXPECT_EQ(message(folder_ / "a" / "b"), "can't be written: there is no such folder");
-    EXPECT_NE(message("/sys/picture.exr"), "");            // nobody may make files there
-    EXPECT_NE(message(path, std::uint64_t(1) << 60), "");  // more than any disk has
+    EXPECT_NE(message("/sys/picture.exr"), "");            // files can't be created there
+    EXPECT_NE(message(path, std::uint64_t(1) << 60), "");  // larger than any disk
     EXPECT_EQ(entries(), 1);
 }
 
-// A limit on the size of files is like a full disk: the write fails half way through.
+// Simulates a full disk with a file size limit (RLIMIT_FSIZE): the write fails halfway through.
 TEST_F(Files, AFileThatDoesNotFitLeavesTheOldOne) {
     const fs::path path = folder_ / "picture.exr";
     ASSERT_TRUE(write_file_atomically(path, bytes_of("old")));

@@ -13,7 +13,7 @@ void Hasher::Release::operator()(XXH3_state_s* state) const {
     XXH3_freeState(state);
 }
 
-// Without exceptions: GCC 12 takes members of a half-made owner for uninitialised.
+// noexcept: otherwise GCC 12 warns about uninitialised members of a partially constructed owner.
 Hasher::Hasher() noexcept : state_(XXH3_createState()) {
     HM_CHECK(state_ != nullptr, "no memory");
     XXH3_128bits_reset(state_.get());

@@ -1,5 +1,5 @@
-// Fingerprints of bytes: whether two files are the same, not whether somebody forged one. XXH3 by
-// Yann Collet, 128 bits.
+// Non-cryptographic hashes of bytes, to compare files but not to detect tampering: 128-bit XXH3 by
+// Yann Collet.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +8,17 @@
 #include <string>
 #include <string_view>
 
-struct XXH3_state_s;  // the library's
+struct XXH3_state_s;  // from xxhash.h
 
 namespace hm {
 
 class Hasher {
   public:
     Hasher() noexcept;
-    // Where one piece ends and the next begins counts too.
+    // The boundaries between pieces are part of the hash.
     void add(std::span<const std::byte> piece);
     void add(std::string_view piece);
-    // Of all pieces so far: 32 hexadecimal digits.
+    // The hash of all pieces so far as 32 hexadecimal digits.
     std::string text() const;
 
   private:

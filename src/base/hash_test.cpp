@@ -15,7 +15,7 @@ std::string hash_of(std::initializer_list<std::string_view> pieces) {
     return hasher.text();
 }
 
-// The published value for no bytes at all, by https://github.com/Cyan4973/xxHash.
+// The published hash of empty input, from https://github.com/Cyan4973/xxHash.
 TEST(Hash, IsXxh3) {
     EXPECT_EQ(Hasher().text(), "99aa06d3014798d86001c324468d497f");
 }

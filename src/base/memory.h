@@ -1,4 +1,4 @@
-// Byte arrays without initialisation.
+// Byte arrays that are not zero-initialised.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,8 @@
 
 namespace hm {
 
-// For bytes that are all written before any is read: what resize() adds is left unset.
+// An allocator for bytes that are all written before any is read: resize() leaves new elements
+// uninitialised.
 struct UnsetBytes : std::allocator<std::byte> {
     template <class U>
     struct rebind {

@@ -1,5 +1,4 @@
-// Bad input as a value: what kind of trouble it is, in which file, at which location, and a
-// message.
+// Errors as values: the kind of error, the file, the location in it and a message.
 #pragma once
 
 #include <string>
@@ -8,17 +7,17 @@
 
 namespace hm {
 
-// What kind of trouble an error is, for callers that act on it.
+// The kind of an error, for callers that handle kinds differently.
 enum class ErrorKind {
-    internal,          // a bug, or the machine failed us
-    invalid_argument,  // what the caller asks for makes no sense, or does not fit the scene
+    internal,          // a bug, or a failure of the machine
+    invalid_argument,  // the caller's request makes no sense or does not fit the scene
     unreadable,        // an input file is missing or can't be read
-    invalid,           // an input file breaks its format's rules
-    unsupported,       // an input file requires what this library does not have
+    invalid,           // an input file violates its format's specification
+    unsupported,       // an input file requires a feature that this library does not support
     unwritable,        // an output can't be written
-    no_device,         // there is no Vulkan loader or driver, or no device that has what we need;
-                       // or no library to denoise with
-    device_failed,     // a device that we had ran out of memory or was lost
+    no_device,         // there is no Vulkan loader or driver, or no device with the required
+                       // features; or no denoising library
+    device_failed,     // a device in use ran out of memory or was lost
 };
 
 // "invalid argument", "unreadable", ...
@@ -30,8 +29,8 @@ struct Error {
     std::string file;
     std::string location;
     std::string message;
-    // The setting that is at fault, or that would help ("camera", "any-device"); empty where none
-    // is. Front ends turn it into a hint in their own terms.
+    // The setting that caused the error or would avoid it ("camera", "any-device"); empty if there
+    // is none. Front ends turn it into a hint in their own terms.
     std::string setting{};
 
     // One line, "file: location: message"; control characters from the input are escaped.
@@ -47,7 +46,7 @@ inline tl::unexpected<Error> fail(ErrorKind kind, std::string file, std::string 
         Error{kind, std::move(file), std::move(location), std::move(message)});
 }
 
-// An error of kind invalid_argument about one setting.
+// An error of kind invalid_argument for one setting.
 inline tl::unexpected<Error> fail_setting(std::string setting, std::string message,
                                           std::string file = {}) {
     return tl::unexpected<Error>(Error{ErrorKind::invalid_argument, std::move(file), "",
@@ -56,8 +55,9 @@ inline tl::unexpected<Error> fail_setting(std::string setting, std::string messa
 
 }  // namespace hm
 
-// Propagates a failed Result<void>-like expression; HM_TRY_ASSIGN also binds the value. A reference
-// saves moving it, which costs more than most things that readers of small values do.
+// Returns the error of a failed Result<void>-like expression from the enclosing function;
+// HM_TRY_ASSIGN also binds the value. Binding it to a reference avoids a move, which is expensive
+// compared with reading a small value.
 #define HM_TRY(expression)                                                     \
     do {                                                                       \
         auto hm_result_ = (expression);                                        \

@@ -5,8 +5,8 @@
 namespace hm {
 namespace {
 
-// Length of the well-formed UTF-8 sequence at the start of `text`, 0 if there is none. The ranges
-// are those of the Unicode Standard, table 3-7: no overlong forms, no surrogates, nothing past
+// Length of the well-formed UTF-8 sequence at the start of `text`, 0 if there is none. The byte
+// ranges are from the Unicode Standard, table 3-7: no overlong forms, no surrogates, nothing above
 // U+10FFFF.
 std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -30,13 +30,14 @@ std::size_t utf8_length(std::string_view text) {
 bool is_control(std::string_view character) {
     const auto first = static_cast<unsigned char>(character[0]);
     if (character.size() == 1) return first < 0x20 || first == 0x7F;
-    // C1, U+0080 to U+009F: terminals that know them take U+009B for an escape sequence's start.
+    // C1 controls, U+0080 to U+009F: some terminals treat U+009B as the start of an escape
+    // sequence.
     return character.size() == 2 && first == 0xC2 &&
            static_cast<unsigned char>(character[1]) < 0xA0;
 }
 
-// Marks that break the line or turn the direction of what follows, so that it reads as something
-// else: U+061C, U+200E and F, U+2028 to 202E, U+2066 to 2069.
+// Line separators and bidirectional control characters, which can make the text display as
+// something else: U+061C, U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069.
 bool reorders(std::string_view character) {
     if (character == "\xD8\x9C") return true;
     if (character.size() != 3 || character[0] != '\xE2') return false;

@@ -1,4 +1,4 @@
-// Text for people.
+// Text for display.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace hm {
 
-// Control characters (C0, DEL, C1), marks that reorder a line and bytes that are no UTF-8: \xNN.
+// Escapes control characters (C0, DEL, C1), line separators, bidirectional controls and bytes that
+// are not valid UTF-8 as \xNN.
 std::string printable(std::string_view text);
 
-// "a, b, c" with ", " as separator.
+// Joins the parts: "a, b, c" with ", " as the separator.
 std::string joined(const std::vector<std::string>& parts, std::string_view separator);
 
 }  // namespace hm

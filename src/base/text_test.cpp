@@ -10,7 +10,7 @@ TEST(Printable, KeepsOrdinaryText) {
     EXPECT_EQ(printable("a b~/\"\\"), "a b~/\"\\");
     EXPECT_EQ(printable("\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x8F\x94"),
               "\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x8F\x94");
-    EXPECT_EQ(printable("\xC2\xA0"), "\xC2\xA0");  // U+00A0, the first character past C1
+    EXPECT_EQ(printable("\xC2\xA0"), "\xC2\xA0");  // U+00A0, the first character after C1
 }
 
 TEST(Printable, EscapesControlCharacters) {
@@ -28,18 +28,18 @@ TEST(Printable, EscapesWhatTurnsTheDirectionOrBreaksTheLine) {
     EXPECT_EQ(printable("\xE2\x81\xA6"), "\\xE2\\x81\\xA6");  // U+2066
     EXPECT_EQ(printable("\xE2\x80\xA8"), "\\xE2\\x80\\xA8");  // U+2028
     EXPECT_EQ(printable("\xD8\x9C"), "\\xD8\\x9C");           // U+061C
-    // Their neighbours stay: an en dash, a joiner, a fraction slash, an Arabic letter.
+    // Neighbouring code points are kept: en dash, zero-width joiner, fraction slash, Arabic letter.
     const char* plain = "\xE2\x80\x93 \xE2\x80\x8D \xE2\x81\x84 \xD8\xA7";
     EXPECT_EQ(printable(plain), plain);
 }
 
 TEST(Printable, EscapesWhatIsNotUtf8) {
-    EXPECT_EQ(printable("\x80"), "\\x80");                    // continuation without a start
+    EXPECT_EQ(printable("\x80"), "\\x80");                    // continuation without a lead byte
     EXPECT_EQ(printable("\xC0\xAF"), "\\xC0\\xAF");           // overlong
     EXPECT_EQ(printable("\xE0\x9F\xBF"), "\\xE0\\x9F\\xBF");  // overlong
     EXPECT_EQ(printable("\xED\xA0\x80"), "\\xED\\xA0\\x80");  // surrogate
-    EXPECT_EQ(printable("\xF4\x90\x80\x80"), "\\xF4\\x90\\x80\\x80");  // past U+10FFFF
-    EXPECT_EQ(printable("\xE2\x82"), "\\xE2\\x82");                    // cut short
+    EXPECT_EQ(printable("\xF4\x90\x80\x80"), "\\xF4\\x90\\x80\\x80");  // above U+10FFFF
+    EXPECT_EQ(printable("\xE2\x82"), "\\xE2\\x82");                    // truncated
     EXPECT_EQ(printable("\xE2\x82z"), "\\xE2\\x82z");  // resumes at the next character
 }
 
