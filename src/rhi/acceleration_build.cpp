@@ -14,7 +14,7 @@ namespace hm::rhi {
 
 namespace {
 
-// One past the last of the builds from `begin` that fit into the scratch budget together.
+// The end of the batch of builds from `begin` whose scratch memory fits in the budget together.
 std::size_t end_of_batch(std::span<const Build> builds, std::size_t begin, std::uint64_t budget) {
     std::uint64_t scratch = builds[begin].scratch_bytes;
     std::size_t end = begin + 1;
@@ -30,7 +30,7 @@ std::uint64_t scratch_of(std::span<const Build> batch) {
     return bytes;
 }
 
-// Records all builds of a batch, each with a part of the scratch buffer to itself.
+// Records all builds of a batch, each with its own part of the scratch buffer.
 void record_builds(Commands& commands, std::span<const Build> batch,
                    std::span<const AccelerationStructure> targets, const Buffer& scratch) {
     std::vector<VkAccelerationStructureBuildGeometryInfoKHR> infos;
@@ -105,7 +105,7 @@ Result<std::vector<AccelerationStructure>> build_batch(Device& device, std::span
     return built;
 }
 
-// Copies each structure to one of the size that it needs.
+// Compacts each structure: copies it to a new one of its compacted size.
 Result<std::vector<AccelerationStructure>> compact_batch(
     Device& device, std::span<const Build> batch, std::span<const AccelerationStructure> built,
     VkQueryPool queries, BuildReport& report) {

@@ -1,5 +1,5 @@
-// Building acceleration structures: bottom-level ones of triangles, in batches that share scratch
-// memory, compacted afterwards; top-level ones of instances.
+// Builds acceleration structures: bottom-level ones over triangles, in batches that share scratch
+// memory, then compacted; top-level ones over instances.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@
 
 namespace hm::rhi {
 
-// Triangles in buffers of use build_input, by device address. Positions are three floats, indices
-// three std::uint32_t a triangle.
+// Triangles in buffers with BufferUse build_input, by device address. A position is three floats;
+// each triangle has three std::uint32_t indices.
 struct TriangleGeometry {
     std::uint64_t positions = 0;
     std::uint64_t position_stride = 12;  // bytes
     std::uint32_t vertex_count = 0;
     std::uint64_t indices = 0;
     std::uint32_t triangle_count = 0;
-    bool opaque = true;           // otherwise any-hit runs, at most once for each hit
+    bool opaque = true;           // false: any-hit shaders run, at most once per hit
     std::uint64_t transform = 0;  // three rows of four floats, applied while building; 0: none
 };
 
@@ -40,9 +40,9 @@ struct BuildReport {
     std::uint32_t structures = 0;
     std::uint32_t batches = 0;
     std::uint64_t built_bytes = 0;    // before compaction
-    std::uint64_t kept_bytes = 0;     // after it
-    std::uint64_t scratch_bytes = 0;  // the largest at one time
-    double gpu_ms = 0;                // building and compacting; 0 where there are no timestamps
+    std::uint64_t kept_bytes = 0;     // after compaction
+    std::uint64_t scratch_bytes = 0;  // peak
+    double gpu_ms = 0;                // building and compacting; 0 if there are no timestamps
 
     void add(const BuildReport& other);
 };
@@ -60,8 +60,8 @@ struct TlasInstance {
     std::uint64_t blas = 0;  // AccelerationStructure::address
 };
 
-// Instances do not cull by facing. Waits until the structure is built. Every ray misses a structure
-// without instances.
+// Facing culling is disabled for all instances. Waits until the structure is built. Every ray
+// misses a structure without instances.
 Result<AccelerationStructure> build_tlas(Device& device, const std::string& name,
                                          std::span<const TlasInstance> instances,
                                          BuildReport& report);

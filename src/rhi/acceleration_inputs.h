@@ -34,16 +34,16 @@ struct Build {
     }
 };
 
-// Of a build's part of the scratch memory.
+// The required alignment of each build's part of the scratch memory.
 std::uint64_t scratch_alignment(const Device& device);
 
-// Fails with ErrorKind::device_failed if it is more than the device takes.
+// Fails with ErrorKind::device_failed if the input exceeds the device's limits.
 Result<Build> plan_blas(const Device& device, const BlasInput& input, bool compact);
 
-// The instances as Vulkan reads them, in memory that a build can read.
+// Writes the instances in Vulkan's layout to a buffer that a build can read.
 Result<Buffer> upload_instances(Device& device, const std::string& name,
                                 std::span<const TlasInstance> instances);
-// `count` of them at an address.
+// Plans the build over `count` instances at a device address.
 Build plan_tlas(const Device& device, const std::string& name, std::uint64_t address,
                 std::uint32_t count);
 

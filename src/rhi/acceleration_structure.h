@@ -1,5 +1,5 @@
-// What rays search: a bottom-level structure over triangles, or a top-level one over instances.
-// acceleration_build.h makes them.
+// Acceleration structures for ray tracing: bottom-level ones over triangles, top-level ones over
+// instances. acceleration_build.h builds them.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ class AccelerationStructure {
   public:
     AccelerationStructure() = default;
     explicit operator bool() const { return handle_.get() != VK_NULL_HANDLE; }
-    std::uint64_t address() const { return address_; }  // what an instance refers to
+    std::uint64_t address() const { return address_; }  // device address, for TlasInstance::blas
     std::uint64_t bytes() const { return buffer_.size(); }
     VkAccelerationStructureKHR handle() const { return handle_.get(); }
 
-    // Memory for a structure of that many bytes; a build or a copy fills it.
+    // Allocates memory for a structure of that many bytes; a build or a copy fills it.
     static Result<AccelerationStructure> allocate(Device& device, const std::string& name,
                                                   VkAccelerationStructureTypeKHR type,
                                                   std::uint64_t bytes);

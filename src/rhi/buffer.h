@@ -14,7 +14,7 @@ struct VmaAllocation_T;
 
 namespace hm::rhi {
 
-// Beside these, every buffer can be copied from and to and has a device address.
+// In addition, every buffer can be copied from and to and has a device address.
 enum class BufferUse : std::uint32_t {
     none = 0,
     storage = 1,
@@ -27,8 +27,8 @@ template <>
 inline constexpr bool kIsFlags<BufferUse> = true;
 
 enum class MemoryKind {
-    device,    // the device's own; the host reaches it by copies
-    upload,    // the host writes it from front to back, never reads it
+    device,    // device-local; the host accesses it through copies
+    upload,    // the host writes it sequentially and never reads it
     readback,  // the host reads it
 };
 
@@ -56,7 +56,7 @@ class Buffer {
     const std::string& name() const { return name_; }
     std::uint64_t size() const { return size_; }
     std::uint64_t address() const { return address_; }
-    // The host's view; empty for MemoryKind::device. Coherent: no flushing.
+    // The mapped memory; empty for MemoryKind::device. Host-coherent, so it needs no flushing.
     std::span<std::byte> mapped() const { return mapped_; }
     VkBuffer handle() const { return handle_; }
 

@@ -1,7 +1,7 @@
-// What a Vulkan device must offer to run the path tracer, what it may offer, and which of that a
-// given device has: the report behind device choice, `himalaya doctor` and error messages.
+// The required and optional capabilities of a Vulkan device for the path tracer, and which of them
+// a given device has: the basis of device selection, `himalaya doctor` and error messages.
 //
-// judge() is plain data to plain data, so the tests feed it devices that do not exist.
+// judge() maps plain data to plain data, so the tests can pass it fake devices.
 #pragma once
 
 #include <cstdint>
@@ -22,18 +22,18 @@ struct Offer {
     std::uint32_t api_version = 0;     // VK_MAKE_API_VERSION's encoding
     std::set<std::string> extensions;  // "VK_KHR_ray_tracing_pipeline"
     std::set<std::string> features;    // "scalarBlockLayout"
-    bool computes = false;             // it has a queue for that
-    bool timestamps = false;           // on that queue
+    bool computes = false;             // has a compute queue
+    bool timestamps = false;           // supported on that queue
 };
 
 struct Capability {
     std::string name;     // an extension, a feature, or one of those above
-    std::string purpose;  // what for, in a few words
+    std::string purpose;  // what it is needed for, in a few words
     bool required = true;
     bool present = false;
 };
 
-// All capabilities that we ask for, in a fixed order, and whether `offer` has them.
+// All capabilities that we query, in a fixed order, and whether `offer` has them.
 std::vector<Capability> judge(const Offer& offer);
 
 // Names of the required ones that are missing.

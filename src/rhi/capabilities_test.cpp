@@ -1,4 +1,4 @@
-// Device choice on devices that do not exist, and the errors of machines without Vulkan.
+// Device selection among fake devices, and the errors on machines without Vulkan.
 #include "rhi/capabilities.h"
 
 #include <gtest/gtest.h>

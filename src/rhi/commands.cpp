@@ -92,7 +92,7 @@ void Commands::copy(const Image& from, ImageLayout layout, const Buffer& to,
 
 namespace {
 
-// One level's barrier between a copy and all other work.
+// A barrier for one mip level between a copy and all other work.
 void level_barrier(VkCommandBuffer commands, const Image& image, std::uint32_t level,
                    VkImageLayout from, VkImageLayout to) {
     const VkImageMemoryBarrier2 barrier{

@@ -1,4 +1,4 @@
-// Recording work for the queue.
+// Records commands for the queue.
 //
 //   HM_TRY_ASSIGN(Commands commands, Commands::begin(device, "trace"));
 //   commands.bind(pipeline); ... commands.trace_rays(pipeline, width, height);
@@ -25,7 +25,7 @@ class ComputePipeline;
 class PipelineLayout;
 class RayTracingPipeline;
 
-// Some rows of one level of an image; the level is `width` texels wide.
+// A range of rows of one mip level of an image; the level is `width` texels wide.
 struct ImageRows {
     std::uint32_t level = 0;
     std::uint32_t begin = 0;
@@ -33,8 +33,9 @@ struct ImageRows {
     std::uint32_t width = 0;
 };
 
-// One command buffer with a pool of its own. Begins recording; Device::submit ends it. Once that
-// ticket is reached, begin_again() reuses the same memory. The destructor waits for it.
+// One command buffer with its own pool. begin() starts recording; Device::submit ends it. Once the
+// submission's ticket is reached, begin_again() reuses the same memory. The destructor waits for
+// the ticket.
 class Commands {
   public:
     Commands() = default;
@@ -51,11 +52,11 @@ class Commands {
               std::uint64_t to_offset = 0, std::uint64_t size = VK_WHOLE_SIZE);
     // Tightly packed rows of level 0; the image is in layout transfer_source or general.
     void copy(const Image& from, ImageLayout layout, const Buffer& to, std::uint64_t to_offset = 0);
-    // Rows of one level, tightly packed. All of the level becomes layout transfer_target at its
-    // first piece, losing its contents, and shader_read after its last.
+    // Tightly packed rows of one mip level. With its first piece the whole level changes to layout
+    // transfer_target, losing its contents; after its last piece it changes to shader_read.
     void copy(const Buffer& from, std::uint64_t from_offset, const Image& to, const ImageRows& rows,
               bool first, bool last);
-    void fill(const Buffer& buffer, std::uint32_t value);  // every four bytes
+    void fill(const Buffer& buffer, std::uint32_t value);  // repeats `value` every four bytes
     // The image is in layout transfer_target or general.
     void clear(const Image& image, ImageLayout layout, float value);
 
@@ -63,7 +64,7 @@ class Commands {
     // A full execution and memory barrier. For single copies; passes get their barriers from the
     // render graph.
     void full_barrier();
-    // The same for one image, whose layout changes; from undefined it loses its contents.
+    // The same for one image, with a layout transition; from undefined it loses its contents.
     void transition(const Image& image, ImageLayout from, ImageLayout to);
 
     void bind(const ComputePipeline& pipeline);
@@ -81,7 +82,7 @@ class Commands {
     void trace_rays(const RayTracingPipeline& pipeline, std::uint32_t width, std::uint32_t height,
                     std::uint32_t depth = 1);
 
-    // A named range in a debugger's view.
+    // A named range for debuggers.
     void begin_label(std::string_view name);
     void end_label();
 

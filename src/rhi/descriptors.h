@@ -1,4 +1,4 @@
-// Descriptor set layouts, sets and what is written into them, pushed or kept.
+// Descriptor set layouts, descriptor sets, and descriptor writes for sets and push descriptors.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ enum class DescriptorKind {
     storage_image,
     sampled_image,
     sampler,
-    texture,  // image and sampler in one
+    texture,  // combined image sampler
     acceleration_structure,
 };
 
@@ -30,7 +30,7 @@ struct Binding {
     std::uint32_t binding = 0;
     DescriptorKind kind = DescriptorKind::storage_buffer;
     std::uint32_t count = 1;
-    // Elements may be left unwritten, and written while the set is bound (but not in use).
+    // Elements may stay unwritten, and may be written while the set is bound (but not in use).
     bool bindless = false;
 };
 
@@ -52,8 +52,8 @@ class SetLayout {
     bool push_ = false;
 };
 
-// A list of writes for DescriptorSet::update or Commands::push_set. What it names must be alive
-// until then. Kinds are looked up in the layout, which must be the set's.
+// A list of writes for DescriptorSet::update or Commands::push_set. The resources must be alive
+// until then. Descriptor kinds are looked up in the layout, which must be the set's.
 class DescriptorWrites {
   public:
     explicit DescriptorWrites(const SetLayout& layout) : layout_(&layout) {}
@@ -69,7 +69,7 @@ class DescriptorWrites {
     DescriptorWrites& acceleration_structure(std::uint32_t binding,
                                              const AccelerationStructure& structure);
 
-    // With `set` null where they are pushed. Valid until the next write is added.
+    // For push descriptors `set` is null. Valid until the next write is added.
     std::vector<VkWriteDescriptorSet> for_set(VkDescriptorSet set) const;
 
   private:
@@ -77,14 +77,14 @@ class DescriptorWrites {
 
     const SetLayout* layout_;
     std::vector<VkWriteDescriptorSet> writes_;
-    // Deques: the writes point into them.
+    // Deques, because the writes point to their elements.
     std::deque<VkDescriptorBufferInfo> buffers_;
     std::deque<VkDescriptorImageInfo> images_;
     std::deque<VkAccelerationStructureKHR> structures_;
     std::deque<VkWriteDescriptorSetAccelerationStructureKHR> structure_writes_;
 };
 
-// A set with a pool of its own.
+// A descriptor set with its own pool.
 class DescriptorSet {
   public:
     DescriptorSet() = default;

@@ -1,4 +1,4 @@
-// A Vulkan device with everything enabled that we use, its one queue and its memory allocator.
+// A Vulkan device with all features that we use enabled, its only queue and its memory allocator.
 //
 // All objects of this folder are created from a Device and must not outlive it. None is
 // thread-safe.
@@ -13,18 +13,18 @@
 #include "rhi/physical_device.h"
 #include "rhi/vulkan.h"
 
-// Keeps the allocator's large header out of this one.
+// Forward declaration, to avoid including the allocator's large header here.
 struct VmaAllocator_T;
 
 namespace hm::rhi {
 
 class Commands;
 
-// The value of the queue's timeline semaphore when a submission is complete.
+// The value that the queue's timeline semaphore reaches when a submission is complete.
 using Ticket = std::uint64_t;
 
 struct MemoryUse {
-    std::uint64_t used_bytes = 0;    // by this process, on the device's own memory
+    std::uint64_t used_bytes = 0;    // device-local memory used by this process
     std::uint64_t budget_bytes = 0;  // what the driver allows this process, including what it uses
 };
 
@@ -42,8 +42,8 @@ class Device {
     Instance& instance() const { return *instance_; }
     MemoryUse memory_use() const;
 
-    // Hands recorded commands to the queue. Submissions run in order, but their work may overlap:
-    // barriers say what waits. `commands` lives until its ticket is reached.
+    // Submits recorded commands to the queue. Submissions start in order, but their work may
+    // overlap unless barriers order it. `commands` must live until its ticket is reached.
     Result<Ticket> submit(Commands& commands);
     // Blocks until the ticket's work is done and its writes are visible to the host.
     Result<void> wait(Ticket ticket);
@@ -66,7 +66,7 @@ class Device {
 
     VkDevice handle() const { return device_; }
     VmaAllocator_T* allocator() const { return allocator_; }
-    // Of acceleration structures' scratch memory and of the shader binding table.
+    // Alignments of acceleration structure scratch memory and of the shader binding table.
     const VkPhysicalDeviceAccelerationStructurePropertiesKHR& acceleration_limits() const {
         return acceleration_limits_;
     }

@@ -40,8 +40,8 @@ TEST_F(RhiDevice, DescribesItself) {
 
 TEST_F(RhiDevice, ValidationIsHeard) {
     if (!instance().validates()) GTEST_SKIP() << "HIMALAYA_VALIDATION is 0";
-    // A copy outside of a buffer: the layer must report it, or the other tests prove nothing. It
-    // does so while recording; the copy is never run.
+    // A copy out of a buffer's bounds: the layer must report it, otherwise the other tests would be
+    // meaningless. It does so while recording; the copy is never executed.
     const Buffer a = value_of(Buffer::create(device(), {.name = "small buffer", .size = 16}));
     const Commands commands = value_of(Commands::begin(device(), "bad copy"));
     const VkBufferCopy region{8, 0, 16};
@@ -93,7 +93,7 @@ TEST_F(RhiDevice, BuffersKeepWhatIsUploaded) {
     EXPECT_EQ(part, counting(10, 100));
 }
 
-// 100 kB through 1 kB of staging, in pieces that do not divide it; then a part again.
+// Uploads 100 kB through 1 kB of staging in pieces that do not divide it, then a part again.
 TEST_F(RhiDevice, LargeUploadsGoInChunks) {
     const std::vector<std::uint32_t> values = counting(25'000);
     const Buffer buffer =
@@ -115,7 +115,7 @@ TEST_F(RhiDevice, LargeUploadsGoInChunks) {
 }
 
 TEST_F(RhiDevice, ImagesKeepWhatIsUploaded) {
-    // 37 x 21 texels, 148 bytes a row: staging of 1000 bytes takes six rows at a time.
+    // 37 x 21 texels, 148 bytes per row: 1000 bytes of staging hold six rows at a time.
     const std::vector<std::uint32_t> texels = counting(37 * 21);
     const Image image = value_of(Image::create(
         device(),
@@ -200,7 +200,7 @@ TEST_F(RhiDevice, OutOfMemorySaysHowMuch) {
         EXPECT_NE(line.find(part), std::string::npos) << line;
 }
 
-// Allocation fails when device memory is used up; it does not move to the host silently.
+// Allocation fails when device memory is exhausted; there is no silent fallback to host memory.
 TEST_F(RhiDevice, MoreThanIsFreeIsRefused) {
     const std::uint64_t bytes = device().memory_use().budget_bytes + (std::uint64_t{1} << 30);
     const Result<Buffer> buffer = Buffer::create(device(), {.name = "scene", .size = bytes});

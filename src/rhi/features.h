@@ -1,4 +1,4 @@
-// The feature structs that we ask about and enable, and our names for their fields.
+// The feature structs that we query and enable, and our names for their fields.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ struct FeatureChain {
     VkPhysicalDeviceVulkan12Features vulkan12{};
     VkPhysicalDeviceFeatures2 features{};
 
-    // The structs of extensions are left out of the chain where the extension is not enabled.
+    // Structs of extensions that are not enabled are omitted from the chain.
     explicit FeatureChain(bool with_reorder);
     FeatureChain(const FeatureChain&) = delete;
     FeatureChain& operator=(const FeatureChain&) = delete;

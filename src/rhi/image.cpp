@@ -32,7 +32,7 @@ VkImageCreateInfo create_info(const ImageInfo& info) {
             .usage = usage_of(info.use)};
 }
 
-// Asks the device, because creating an unsupported image is undefined behaviour.
+// Queries the device, because creating an unsupported image is undefined behaviour.
 Result<void> check_supported(const Device& device, const ImageInfo& info) {
     VkImageFormatProperties limits{};
     const VkResult result = vkGetPhysicalDeviceImageFormatProperties(

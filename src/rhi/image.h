@@ -27,7 +27,7 @@ enum class Format : std::uint32_t {
 };
 std::uint32_t bytes_per_texel(Format format);
 
-// Beside these, every image can be copied from and to and cleared.
+// In addition, every image can be cleared and copied from and to.
 enum class ImageUse : std::uint32_t { none = 0, sampled = 1, storage = 2 };
 template <>
 inline constexpr bool kIsFlags<ImageUse> = true;
@@ -46,7 +46,7 @@ struct ImageInfo {
     Format format = Format::rgba8;
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    std::uint32_t levels = 1;  // of detail
+    std::uint32_t levels = 1;  // mip levels
     ImageUse use = ImageUse::sampled;
 };
 
@@ -54,7 +54,7 @@ class Image {
   public:
     Image() = default;
     static Result<Image> create(Device& device, const ImageInfo& info);
-    // In memory that others may share, and which must outlive it.
+    // Creates the image in a memory block, which other images may share and which must outlive it.
     static Result<Image> create_in(Device& device, const ImageInfo& info, const MemoryBlock& block,
                                    std::uint64_t offset);
     Image(Image&& other) noexcept { swap(other); }
@@ -67,7 +67,7 @@ class Image {
     explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
     const ImageInfo& info() const { return info_; }
     VkImage handle() const { return handle_; }
-    VkImageView view() const { return view_; }  // of all levels
+    VkImageView view() const { return view_; }  // of all mip levels
 
   private:
     Result<void> make_view(Device& device);

@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
-// Makes volk's global functions those of this loader. The library stays open for the process's
-// lifetime: drivers do not like to be unloaded.
+// Loads volk's global functions from this loader. The library stays open for the lifetime of the
+// process, because drivers do not handle unloading well.
 Result<void> open_loader(const std::string& path) {
     void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) {
@@ -72,7 +72,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
     return VK_FALSE;
 }
 
-// Only messages of the validation layer: general messages of drivers and the loader concern the
+// Only messages of the validation layer: general messages of drivers and the loader are about the
 // machine, not the program.
 VkDebugUtilsMessengerCreateInfoEXT messenger_info(Messages& messages) {
     return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
@@ -125,7 +125,7 @@ Result<std::shared_ptr<Instance>> Instance::create(const InstanceOptions& option
         .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
         .ppEnabledExtensionNames = extensions.data()};
     const VkResult result = vkCreateInstance(&info, nullptr, &made->instance_);
-    // How the loader reports that it found no driver.
+    // The loader reports this if it found no driver.
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
         return fail(ErrorKind::no_device, "Vulkan", "", kNoDevices);
     HM_TRY(check(result, "vkCreateInstance", "the instance"));
@@ -140,7 +140,7 @@ Result<std::shared_ptr<Instance>> Instance::create(const InstanceOptions& option
 }
 
 Instance::~Instance() {
-    // Messages that nobody took are not lost.
+    // Print messages that were not fetched.
     for (const Message& message : messages_.take())
         fmt::print(stderr, "himalaya: Vulkan validation: {}\n", printable(message.line()));
     if (messenger_ != VK_NULL_HANDLE)

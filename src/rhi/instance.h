@@ -1,4 +1,4 @@
-// The Vulkan loader, opened at run time, and an instance of it; with validation when asked.
+// The Vulkan loader, opened at run time, and an instance, optionally with validation.
 #pragma once
 
 #include <memory>
@@ -13,29 +13,29 @@
 namespace hm::rhi {
 
 struct InstanceOptions {
-    // The Khronos validation layer with synchronisation validation; an error where it is missing.
+    // Enables the Khronos validation layer with synchronisation validation; an error if missing.
     bool validation = validation_wanted();
     std::string loader = "libvulkan.so.1";
 
-    // Whether the environment says HIMALAYA_VALIDATION=1.
+    // Whether the environment variable HIMALAYA_VALIDATION is 1.
     static bool validation_wanted();
 };
 
-// Shared by the devices made from it. volk's functions are those of the last loader opened.
+// Shared by the devices created from it. volk's functions are those of the last loader opened.
 class Instance {
   public:
-    // Fails with ErrorKind::no_device where there is no loader or no driver.
+    // Fails with ErrorKind::no_device if there is no loader or no driver.
     static Result<std::shared_ptr<Instance>> create(const InstanceOptions& options = {});
     ~Instance();
     Instance(const Instance&) = delete;
     Instance& operator=(const Instance&) = delete;
 
-    // In the loader's order: the N of vulkan:N. Makes no VkDevice. Empty where no driver answers.
+    // In the loader's order: index N is vulkan:N. Creates no VkDevice. Empty if there is no driver.
     Result<std::vector<PhysicalDevice>> devices() const;
 
     bool validates() const { return messenger_ != VK_NULL_HANDLE; }
     bool names_objects() const { return names_objects_; }
-    // Messages of the validation layer. The destructor prints those that nobody took.
+    // Messages of the validation layer. The destructor prints those that were not fetched.
     Messages& messages() { return messages_; }
     VkInstance handle() const { return instance_; }
 

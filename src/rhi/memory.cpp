@@ -29,8 +29,8 @@ VmaAllocationCreateInfo allocation_info(MemoryKind kind) {
     info.usage = VMA_MEMORY_USAGE_AUTO;
     switch (kind) {
         case MemoryKind::device:
-            // Drivers move memory to the host rather than refuse, and the allocator tries
-            // host memory next: much slower, without notice.
+            // Without this, drivers move memory to the host instead of failing, and the allocator
+            // falls back to host memory: much slower, and silently.
             info.flags = VMA_ALLOCATION_CREATE_WITHIN_BUDGET_BIT;
             info.usage = VMA_MEMORY_USAGE_AUTO_PREFER_DEVICE;
             info.requiredFlags = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;

@@ -13,7 +13,7 @@ namespace hm::rhi {
 
 VmaAllocationCreateInfo allocation_info(MemoryKind kind);
 
-// device_error; if memory ran out, with the size requested and the memory free.
+// device_error(); for out-of-memory errors it adds the requested size and the free memory.
 Error memory_error(const Device& device, VkResult result, std::string_view call,
                    std::string_view object, std::uint64_t bytes);
 

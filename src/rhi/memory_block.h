@@ -16,10 +16,10 @@ struct ImageInfo;
 struct MemoryNeeds {
     std::uint64_t bytes = 0;
     std::uint64_t alignment = 1;
-    std::uint32_t types = ~0u;  // a bit for each of the device's memory types that will do
+    std::uint32_t types = ~0u;  // a bit for each suitable memory type of the device
 };
 
-// Of an image that is not created yet.
+// The memory requirements of an image that is not created yet.
 MemoryNeeds memory_needs(const Device& device, const ImageInfo& info);
 
 class MemoryBlock {

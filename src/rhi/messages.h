@@ -1,4 +1,5 @@
-// Messages of the validation layer and the driver, kept until they are taken. Tests fail on them.
+// Messages of the validation layer and the driver, stored until they are fetched. Tests fail on
+// them.
 #pragma once
 
 #include <mutex>
@@ -10,16 +11,16 @@ namespace hm::rhi {
 struct Message {
     bool error = false;  // otherwise a warning
     std::string id;      // "VUID-..." or "SYNC-HAZARD-..."
-    std::string text;    // names the objects
+    std::string text;    // includes the names of the objects
 
     std::string line() const;
 };
 
-// Drivers call from their own threads.
+// Thread-safe, because drivers may call from their own threads.
 class Messages {
   public:
     void add(Message message);
-    // Everything since the last call.
+    // All messages since the last call.
     std::vector<Message> take();
 
   private:

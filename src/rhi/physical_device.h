@@ -1,5 +1,5 @@
-// The devices that the loader offers, described without creating any of them, and the choice
-// among them.
+// Describes the physical devices that the loader offers, without creating a VkDevice, and selects
+// one of them.
 #pragma once
 
 #include <array>
@@ -25,11 +25,11 @@ struct Limits {
     std::uint64_t max_geometries = 0;  // of a bottom-level one
     std::uint64_t max_triangles = 0;   // of a bottom-level one, over its geometries
     std::uint64_t max_buffer_bytes = 0;
-    std::uint64_t max_storage_buffer_bytes = 0;  // that one binding can see
+    std::uint64_t max_storage_buffer_bytes = 0;  // maximum range of one binding
     std::uint32_t max_image_side = 0;
     std::uint32_t max_rays_per_trace = 0;  // width * height * depth of trace_rays
     std::uint32_t max_push_constant_bytes = 0;
-    bool reorders_rays = false;      // VK_NV_ray_tracing_invocation_reorder really does
+    bool reorders_rays = false;      // VK_NV_ray_tracing_invocation_reorder really reorders
     double timestamp_period_ns = 0;  // 0: no timestamps
 };
 
@@ -44,11 +44,11 @@ struct PhysicalDevice {
     std::array<std::uint8_t, VK_UUID_SIZE> device_uuid{};
     std::array<std::uint8_t, VK_UUID_SIZE> cache_uuid{};  // of pipeline caches
     std::uint64_t memory_bytes = 0;                       // its largest device-local heap
-    std::uint32_t queue_family = 0;                       // computes, and draws where one does both
+    std::uint32_t queue_family = 0;                       // compute, and graphics if one has both
     Limits limits;
     std::vector<Capability> capabilities;
 
-    // Whether it has all that is required, and an optional capability by its name.
+    // usable(): has all required capabilities. has(): has the optional capability of that name.
     bool usable() const { return missing(capabilities).empty(); }
     bool has(std::string_view capability) const;
 };
@@ -56,7 +56,7 @@ struct PhysicalDevice {
 // For Instance::devices.
 Result<PhysicalDevice> describe(VkPhysicalDevice handle, std::uint32_t index);
 
-// The message when the loader knows no driver.
+// The error message if the loader finds no driver.
 inline constexpr const char* kNoDevices =
     "the loader finds no device; install the graphics card's Vulkan driver, or name its manifest "
     "in VK_DRIVER_FILES";

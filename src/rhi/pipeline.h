@@ -1,4 +1,4 @@
-// Pipeline layouts and compute pipelines. SPIR-V comes embedded (cmake/Shaders.cmake).
+// Pipeline layouts and compute pipelines. SPIR-V is embedded in the program (cmake/Shaders.cmake).
 #pragma once
 
 #include <compare>
@@ -15,29 +15,30 @@ namespace hm::rhi {
 
 class PipelineCache;
 
-// The words of one module whose entry point is `main`.
+// The 32-bit words of one SPIR-V module with entry point `main`.
 using Spirv = std::span<const std::uint32_t>;
 
 using ShaderModule = Handle<VkShaderModule, &vkDestroyShaderModule>;
 Result<ShaderModule> make_shader_module(Device& device, std::string_view name, Spirv spirv);
 
-// The value of layout(constant_id = id), as its 32 bits. Modules without that constant ignore it.
+// The 32-bit representation of the value of layout(constant_id = id). Modules without that constant
+// ignore it.
 struct SpecializationConstant {
     std::uint32_t id = 0;
     std::uint32_t value = 0;
     auto operator<=>(const SpecializationConstant&) const = default;
 };
 
-// The specialization constants of all stages of a pipeline: those given, and constant_id 0, a bool
-// that says whether the device rounds quotients and roots as C++ does (shading/exact.glsl); CPUs
-// do.
+// The specialization constants of all stages of a pipeline: those passed in, and constant_id 0, a
+// bool that is true if the device rounds division and square root as C++ does
+// (shading/exact.glsl); CPU devices do.
 class Specialization {
   public:
     Specialization(const PhysicalDevice& device, std::span<const SpecializationConstant> constants);
     Specialization(const Specialization&) = delete;
     Specialization& operator=(const Specialization&) = delete;
 
-    // Valid as long as this object.
+    // Valid for the lifetime of this object.
     const VkSpecializationInfo* info() const { return &info_; }
 
   private:
@@ -49,7 +50,7 @@ class Specialization {
 class PipelineLayout {
   public:
     PipelineLayout() = default;
-    // Set i has layout sets[i]; a null one is an empty set. Push constants are seen by all stages.
+    // Set i has layout sets[i]; null means an empty set. Push constants are visible to all stages.
     static Result<PipelineLayout> create(Device& device, std::string_view name,
                                          std::span<const SetLayout* const> sets,
                                          std::uint32_t push_constant_bytes = 0);

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Precedes the driver's bytes: drivers validate little of their input, and some crash on damaged
-// data.
+// The header before the driver's data, used to validate it: drivers validate little of their input,
+// and some crash on damaged data.
 struct FileHeader {
     char magic[8] = {'h', 'm', 'p', 'i', 'p', 'e', 's', '1'};
     std::uint64_t bytes = 0;

@@ -1,4 +1,4 @@
-// Compiled pipelines kept between runs: a file per device and driver under the user's cache folder.
+// Persistent cache of compiled pipelines: a file per device and driver in the user's cache folder.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 
 namespace hm::rhi {
 
-// $XDG_CACHE_HOME/himalaya or ~/.cache/himalaya; empty where neither variable is set.
+// $XDG_CACHE_HOME/himalaya or ~/.cache/himalaya; empty if neither $XDG_CACHE_HOME nor $HOME is set.
 std::filesystem::path default_cache_folder();
 
 class PipelineCache {
   public:
-    // An empty folder keeps nothing between runs. A file that is damaged or another driver's is a
-    // warning, and the cache starts empty.
+    // With an empty folder nothing is stored between runs. A file that is damaged or from another
+    // driver gives a warning, and the cache starts empty.
     static Result<PipelineCache> open(Device& device, const std::filesystem::path& folder,
                                       Diagnostics& diagnostics);
-    // Writes the file if there is something new in it. Fails with ErrorKind::unwritable.
+    // Writes the file if the cache has changed. Fails with ErrorKind::unwritable.
     Result<void> save();
 
     const std::filesystem::path& file() const { return file_; }
@@ -31,7 +31,7 @@ class PipelineCache {
     Device* device_ = nullptr;
     std::filesystem::path file_;
     std::size_t loaded_bytes_ = 0;
-    std::uint64_t saved_hash_ = 0;  // of what the file holds
+    std::uint64_t saved_hash_ = 0;  // of the file's contents
     Handle<VkPipelineCache, &vkDestroyPipelineCache> handle_;
 };
 

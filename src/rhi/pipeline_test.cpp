@@ -39,8 +39,8 @@ class RhiPipeline : public test::DeviceTest {
     fs::path folder_;
 };
 
-// The shader scale.comp with its layouts: values pushed, textures in a table of which most slots
-// stay empty.
+// The shader scale.comp with its layouts: push constants, and a bindless texture table with mostly
+// empty slots.
 struct Scale {
     SetLayout values, textures;
     PipelineLayout layout;
@@ -78,7 +78,7 @@ TEST_F(RhiPipeline, DispatchesWithPushedAndBindlessDescriptors) {
         commands.bind(scale.pipeline);
         commands.push_set(scale.layout, 0, DescriptorWrites(scale.values).buffer(0, buffer));
         commands.bind_set(scale.layout, 1, table);
-        // After the set was bound, into a slot beyond others that stay empty.
+        // Written after the set was bound, to a slot after others that stay empty.
         table.update(DescriptorWrites(scale.textures).texture(0, image, sampler, 41));
         commands.push_constants(scale.layout, std::array<std::uint32_t, 3>{3, 41, 8});
         commands.dispatch(1);
@@ -104,7 +104,7 @@ TEST_F(RhiPipeline, TheCacheIsKeptBetweenRuns) {
     PipelineCache cache = value_of(PipelineCache::open(device(), folder(), diagnostics));
     EXPECT_GT(cache.loaded_bytes(), 0u);
     const Scale scale(device(), &cache);
-    // With nothing new there is nothing to write.
+    // If the cache has not changed, nothing is written.
     fs::remove(file);
     expect_ok(cache.save());
     EXPECT_TRUE(diagnostics.warnings().empty());

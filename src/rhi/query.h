@@ -16,12 +16,12 @@ class Timestamps {
     Timestamps() = default;
     static Result<Timestamps> create(Device& device, std::string_view name, std::uint32_t count);
 
-    // All of them, before the first write of a recording.
+    // Resets all timestamps; required before the first write of a recording.
     void reset(Commands& commands);
-    // The moment when everything recorded before has finished.
+    // Writes the time when all work recorded before has finished.
     void write(Commands& commands, std::uint32_t index);
-    // Milliseconds since write 0 for each of the first `count`; their commands must be done. All 0
-    // on a device without timestamps.
+    // Milliseconds since write 0 for each of the first `count`, whose commands must be complete.
+    // All 0 on a device without timestamps.
     Result<std::vector<double>> milliseconds(std::uint32_t count) const;
 
   private:

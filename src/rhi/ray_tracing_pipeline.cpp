@@ -27,7 +27,7 @@ struct Stages {
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     std::vector<VkRayTracingShaderGroupCreateInfoKHR> groups;
 
-    // The stage's index; VK_SHADER_UNUSED_KHR for no code.
+    // Returns the stage's index; VK_SHADER_UNUSED_KHR if there is no code.
     Result<std::uint32_t> add_stage(VkShaderStageFlagBits stage, Spirv spirv) {
         if (spirv.empty()) return VK_SHADER_UNUSED_KHR;
         HM_TRY_ASSIGN(ShaderModule module, make_shader_module(device, name, spirv));
@@ -65,7 +65,7 @@ struct Stages {
         return {};
     }
 
-    // Groups in the order of the table.
+    // Groups in the order of the shader binding table.
     Result<void> add_all(const RayTracingPipelineInfo& info) {
         HM_TRY(add_general(VK_SHADER_STAGE_RAYGEN_BIT_KHR, info.ray_generation));
         for (const Spirv miss : info.misses)
@@ -109,8 +109,8 @@ Result<RayTracingPipeline> RayTracingPipeline::create(Device& device,
     return pipeline;
 }
 
-// Each of the table's three parts begins at an aligned address; within a part, handles follow each
-// other at their own, smaller alignment. No group has data of its own.
+// Each of the table's three regions starts at an aligned address; within a region, handles are
+// packed at their own, smaller alignment. No group has shader record data.
 Result<void> RayTracingPipeline::make_table(Device& device, const RayTracingPipelineInfo& info) {
     const auto& limits = device.ray_tracing_limits();
     const std::uint64_t handle_size = limits.shaderGroupHandleSize;

@@ -2,8 +2,8 @@
 //
 //   [ray generation] [miss 0, miss 1, ...] [hit group 0, hit group 1, ...]
 //
-// so traceRayEXT's miss index and its hit offset are indices into the lists below (the stride
-// between geometries being 0).
+// so the miss index and the hit group offset of traceRayEXT are indices into the lists below (the
+// stride between geometries is 0).
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace hm::rhi {
 
-// An empty span: no such stage.
+// An empty span means no such stage.
 struct HitGroup {
     Spirv closest_hit;
     Spirv any_hit;
@@ -39,7 +39,7 @@ class RayTracingPipeline {
     static Result<RayTracingPipeline> create(Device& device, const RayTracingPipelineInfo& info,
                                              PipelineCache* cache = nullptr);
     VkPipeline handle() const { return handle_.get(); }
-    // Ray generation, miss, hit, callable: vkCmdTraceRaysKHR's arguments.
+    // Ray generation, miss, hit and callable regions: the arguments of vkCmdTraceRaysKHR.
     const std::array<VkStridedDeviceAddressRegionKHR, 4>& regions() const { return regions_; }
 
   private:

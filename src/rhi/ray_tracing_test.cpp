@@ -69,8 +69,8 @@ TlasInstance instance_at(float x, std::uint32_t custom_index, const Acceleration
     return instance;
 }
 
-// The pipeline of test_shaders/, and its results: what each radiance ray saw and whether each
-// shadow ray got through.
+// The pipeline of test_shaders/, and its results: what each radiance ray hit and whether each
+// shadow ray was unoccluded.
 class Tracer {
   public:
     explicit Tracer(Device& device) : device_(device) {
@@ -118,8 +118,8 @@ class Tracer {
 
 class RhiRays : public test::DeviceTest {};
 
-// Instance 3 at 0: squares 0 and 1 opaque, 2 and 3 not. Instance 5 is one opaque square at 6.
-// Radiance rays with key 2 and shadow rays with key 3 pass what is not opaque.
+// Instance 3 at x = 0: squares 0 and 1 are opaque, 2 and 3 are not. Instance 5 is one opaque square
+// at x = 6. Radiance rays with key 2 and shadow rays with key 3 pass through non-opaque squares.
 TEST_F(RhiRays, EveryStageRuns) {
     const Strip strip(device(), 4);
     const std::vector<BlasInput> inputs = {
@@ -142,7 +142,7 @@ TEST_F(RhiRays, EveryStageRuns) {
     };
     EXPECT_TRUE(either(0, 1300)) << seen[0][0];
     EXPECT_TRUE(either(1, 1302)) << seen[1][0];
-    EXPECT_EQ(seen[2][0], 1u);  // passed by any-hit, missed
+    EXPECT_EQ(seen[2][0], 1u);  // ignored by any-hit, then a miss
     EXPECT_TRUE(either(3, 1312)) << seen[3][0];
     EXPECT_EQ(seen[4][0], 1u);
     EXPECT_EQ(seen[5][0], 1u);
@@ -171,7 +171,7 @@ TEST_F(RhiRays, TheTableIsAlignedAndApart) {
     }
 }
 
-// A small budget makes many batches, and must not change what rays see.
+// A small scratch budget gives many batches, and must not change what rays hit.
 TEST_F(RhiRays, BatchesShareScratchWithinTheBudget) {
     const Strip strip(device(), 200);
     std::vector<BlasInput> inputs;
@@ -201,7 +201,7 @@ TEST_F(RhiRays, BatchesShareScratchWithinTheBudget) {
         EXPECT_EQ(seen[x][1], 0u) << x;
     }
     EXPECT_EQ(seen[200][0], 1u);
-    // A single build that is larger than the budget is still done.
+    // A single build that exceeds the budget still succeeds.
     BuildReport alone;
     EXPECT_TRUE(build_blas(device(), std::span(inputs).first(1), {.scratch_budget_bytes = 1}, alone)
                     .has_value());
@@ -218,7 +218,7 @@ TEST_F(RhiRays, CompactionKeepsLessAndSaysSo) {
     EXPECT_EQ(plain.built_bytes, plain.kept_bytes);
     EXPECT_EQ(full[0].bytes(), plain.kept_bytes);
     EXPECT_EQ(small[0].bytes(), compact.kept_bytes);
-    // Mesa's software structures are as small as they get when built.
+    // Compaction may not shrink the structures of Mesa's software implementation.
     if (device().physical().kind == DeviceKind::cpu)
         EXPECT_LE(compact.kept_bytes, compact.built_bytes);
     else

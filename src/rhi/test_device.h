@@ -26,7 +26,7 @@ inline void expect_ok(const Result<void>& result) {
     EXPECT_TRUE(result.has_value()) << result.error().line();
 }
 
-// An environment variable with another value, or none, for as long as this lives.
+// Sets or unsets an environment variable for the lifetime of this object.
 class Variable {
   public:
     Variable(const char* name, const char* value) : name_(name) {
@@ -49,15 +49,15 @@ class Variable {
     std::optional<std::string> old_;
 };
 
-// Off with HIMALAYA_VALIDATION=0, for machines without the layer.
+// HIMALAYA_VALIDATION=0 disables validation, for machines without the layer.
 inline bool validates() {
     const char* wanted = std::getenv("HIMALAYA_VALIDATION");
     return wanted == nullptr || std::string(wanted) != "0";
 }
 
 inline std::shared_ptr<Instance> make_instance() {
-    // The layer leaks. Were it unloaded with the instance, its leaks would be no one's, and
-    // tests/leaks.supp could not name it.
+    // The layer leaks memory. If it were unloaded with the instance, its leaks could not be
+    // attributed to it, and tests/leaks.supp could not suppress them by its name.
     if (validates()) ::dlopen("libVkLayer_khronos_validation.so", RTLD_LAZY | RTLD_NODELETE);
     return value_of(Instance::create({.validation = validates()}));
 }

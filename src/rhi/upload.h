@@ -1,5 +1,5 @@
-// Moving bytes between host and device through staging buffers of a fixed size, so that large
-// scenes need no second copy in host-visible memory.
+// Copies between host and device through fixed-size staging buffers, so that large scenes need no
+// second copy in host-visible memory.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace hm::rhi {
 
-// While one staging buffer is copied by the device, the host fills the other.
+// Double-buffered: while the device copies from one staging buffer, the host fills the other.
 class Uploader {
   public:
     // `staging_bytes` is the size of each of the two.
@@ -26,7 +26,7 @@ class Uploader {
     Result<void> buffer(const Buffer& to, std::span<const T> values) {
         return buffer(to, std::as_bytes(values));
     }
-    // One level of an image, tightly packed rows; leaves it in layout shader_read.
+    // Uploads one mip level as tightly packed rows; leaves it in layout shader_read.
     Result<void> image(const Image& to, std::uint32_t level, std::span<const std::byte> texels);
 
     // Waits until all copies are complete and visible to shaders and builds.
@@ -40,9 +40,9 @@ class Uploader {
         Ticket ticket = 0;
         std::uint64_t filled = 0;
     };
-    // Space in the current half, or in the next one if the current is full.
+    // Reserves space in the current half, or in the next one if the current is full.
     Result<std::span<std::byte>> reserve(std::uint64_t at_least, std::uint64_t at_most);
-    std::uint64_t offset_of(std::span<const std::byte> piece) const;  // in the current half
+    std::uint64_t offset_of(std::span<const std::byte> piece) const;  // byte offset in this half
     Result<void> flush();
 
     Device* device_ = nullptr;
@@ -58,7 +58,8 @@ Result<Buffer> upload_buffer(Uploader& uploader, Device& device, const BufferInf
 // Waits for all earlier work, then copies bytes back to the host.
 Result<void> read_back(Device& device, const Buffer& from, std::span<std::byte> bytes,
                        std::uint64_t from_offset = 0);
-// Level 0, tightly packed rows; the image stays in `layout`, transfer_source or general.
+// Reads mip level 0 as tightly packed rows; the image stays in `layout` (transfer_source or
+// general).
 Result<void> read_back(Device& device, const Image& from, ImageLayout layout,
                        std::span<std::byte> texels);
 

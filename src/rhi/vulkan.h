@@ -1,6 +1,6 @@
-// Vulkan as this folder includes it: without prototypes. volk opens the loader at run time, so a
-// program that links this starts where no loader is installed. Its function pointers are global
-// and go through the loader, hence serve several devices at once.
+// The Vulkan headers without prototypes. volk opens the loader at run time, so a program that links
+// this starts even if no loader is installed. volk's function pointers are global and dispatch
+// through the loader, so they work for several devices at once.
 #pragma once
 
 #include <volk.h>
