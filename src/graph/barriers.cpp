@@ -17,8 +17,8 @@ bool covers(const rhi::Scope& a, const rhi::Scope& b) {
 
 // The state of one resource from step to step.
 struct Track {
-    rhi::Scope written;  // the last write, or what the resource came with
-    rhi::Scope readers;  // those that have been made to see it since
+    rhi::Scope written;  // the last write, or the resource's initial scope
+    rhi::Scope readers;  // scopes to which that write has been made visible since
     rhi::ImageLayout layout = rhi::ImageLayout::undefined;
 };
 
@@ -41,7 +41,8 @@ std::vector<std::vector<Use>> find_uses(const Declaration& declaration,
     return uses;
 }
 
-// The reads from `first` on that can share one barrier: up to a write or a different layout.
+// The combined scope of the reads from `first` on that can share one barrier: up to a write or a
+// different layout.
 rhi::Scope joint_scope(const std::vector<Use>& uses, std::size_t first) {
     rhi::Scope scope;
     for (std::size_t i = first; i < uses.size(); ++i) {
@@ -57,8 +58,8 @@ rhi::Scope before_change(const Track& track) {
     return track.readers.stages != 0 ? rhi::Scope{track.readers.stages, 0} : track.written;
 }
 
-// What a transient image must wait for: the previous owners of its memory. The first owner waits
-// for the work before the graph, which may be the same graph.
+// What a transient image must wait for: the previous owners of its memory (aliasing). The first
+// owner waits for the work before the graph, which may be an earlier run of the same graph.
 rhi::Scope memory_before(const Plan& plan, const Declaration& declaration,
                          const std::vector<std::vector<Use>>& uses, std::uint32_t resource) {
     if (!plan.offsets[resource]) return rhi::kEverything;

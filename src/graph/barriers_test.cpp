@@ -56,7 +56,7 @@ TEST(Barriers, WriteAfterReadWaitsForReadersToFinishOnly) {
     s.pass("read", PassKind::trace, {read(a), write(x)});
     s.pass("overwrite", PassKind::copy, {write(a)});
     const Plan plan = s.plan();
-    EXPECT_TRUE(plan.steps[0].barriers.empty());  // nothing wrote either before
+    EXPECT_TRUE(plan.steps[0].barriers.empty());  // neither was written before
     ASSERT_EQ(plan.steps[1].barriers.size(), 1u);
     EXPECT_EQ(plan.steps[1].barriers[0],
               (PlannedBarrier{a.resource, {kTraceRead.stages, 0}, kCopyWrite}));
@@ -118,7 +118,7 @@ TEST(Barriers, LayoutsChangeWithTheUse) {
     EXPECT_EQ(plan.steps[1].barriers,
               (std::vector<PlannedBarrier>{{image.resource, kComputeWrite, kComputeSample,
                                             ImageLayout::general, ImageLayout::shader_read}}));
-    // Reads, but in another layout: the samplers must have finished.
+    // A read, but in another layout: the earlier sampled reads must have finished.
     EXPECT_EQ(plan.steps[2].barriers,
               (std::vector<PlannedBarrier>{{image.resource,
                                             {kComputeSample.stages, 0},

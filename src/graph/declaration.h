@@ -1,7 +1,7 @@
 // A frame as plain data: resources, and passes with the resources that they read and write.
 //
-// Resources have versions. A pass reads one version; writing makes the next. So the order of the
-// passes follows from what they declare, not from their position in the list.
+// Resources have versions. A pass reads one version; writing creates the next. So the order of the
+// passes follows from the accesses they declare, not from their position in the list.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@
 
 namespace hm::graph {
 
-// What a pass runs, and so the pipeline stages at which it accesses its resources.
+// The kind of commands in a pass, which determines the pipeline stages of its accesses.
 enum class PassKind { compute, trace, copy, build };
 
 enum class AccessKind {
     read,        // in shaders as storage, uniform or acceleration structure; a copy's source
     sample,      // in shaders through a sampler
-    write,       // all of it: what was there before is lost
-    read_write,  // some of it, or reading first
+    write,       // overwrites all of it: the previous contents are discarded
+    read_write,  // reads and writes, or overwrites only a part
 };
 
 struct Ref {
@@ -31,7 +31,7 @@ struct Ref {
     bool operator==(const Ref&) const = default;
 };
 
-// A read is of `ref`'s version; a write replaces it with the next.
+// A read accesses `ref`'s version; a write replaces that version with the next.
 struct Access {
     Ref ref;
     AccessKind kind = AccessKind::read;
@@ -41,23 +41,23 @@ struct PassDeclaration {
     std::string name;
     PassKind kind = PassKind::compute;
     std::vector<Access> accesses;
-    bool keep = false;  // runs even if nobody wants what it writes
+    bool keep = false;  // never culled, even if its outputs are unused
 };
 
 // The state of an imported resource before the graph, or the state that it must have after it.
 struct State {
     rhi::Scope scope = rhi::kEverything;
-    rhi::ImageLayout layout = rhi::ImageLayout::general;  // of images; undefined: nothing to keep
+    rhi::ImageLayout layout = rhi::ImageLayout::general;  // images; undefined: contents not kept
 };
 
 struct ResourceDeclaration {
     std::string name;
     bool is_image = false;
-    // Imported: has contents before, and what is written to it is kept. Otherwise transient: it
-    // exists from its first to its last pass.
+    // Set for imported resources, which have contents before the graph and keep what is written.
+    // Otherwise the resource is transient: it exists from its first to its last pass.
     std::optional<State> before;
     std::optional<State> after;
-    // Of a transient image's memory; 0 places it outside the heap.
+    // Memory requirements of a transient image; 0 bytes places it outside the heap.
     std::uint64_t bytes = 0;
     std::uint64_t alignment = 1;
 

@@ -1,5 +1,5 @@
-// The render graph: passes declare what they read and write; the graph orders them, puts barriers
-// between them and lets transient images reuse memory that others no longer need.
+// The render graph: passes declare what they read and write; the graph orders them, inserts
+// barriers between them and aliases the memory of transient images whose lifetimes do not overlap.
 //
 //   Graph graph(device, "frame");
 //   Ref sums = graph.import(accumulation);
@@ -31,14 +31,14 @@ namespace hm::graph {
 
 class Graph;
 
-// Declares one pass. Each call returns the version that the pass leaves behind.
+// Declares one pass. writes() and updates() return the version that the pass produces.
 class Pass {
   public:
     Pass& reads(Ref ref);
     Pass& samples(Ref ref);
-    Ref writes(Ref ref);   // all of it; nothing of what was there is kept
+    Ref writes(Ref ref);   // overwrites all of it; the previous contents are discarded
     Ref updates(Ref ref);  // reads and writes, or writes a part
-    Pass& keeps();         // runs even if nobody wants its results
+    Pass& keeps();         // never culled, even if its results are unused
     void records(std::function<void(rhi::Commands&)> record);
 
   private:
@@ -60,14 +60,14 @@ class Graph {
     // begins and ends; barriers order the graph after earlier and before later work.
     Ref import(const rhi::Image& image, rhi::ImageLayout layout = rhi::ImageLayout::general);
     Ref import(const rhi::Buffer& buffer);
-    // Transient: made by compile(), without contents until a pass writes them.
+    // Transient resources: created by compile(), with undefined contents until a pass writes them.
     Ref image(const rhi::ImageInfo& info);
     Ref buffer(const rhi::BufferInfo& info);
 
     Pass pass(std::string name, PassKind kind);
 
-    // Plans, and creates the transient images. Does nothing if nothing was declared since the last
-    // call.
+    // Computes the plan and creates the transient resources. Does nothing if nothing was declared
+    // since the last call.
     Result<void> compile();
     void record(rhi::Commands& commands) const;
 
@@ -77,7 +77,7 @@ class Graph {
 
   private:
     friend class Pass;
-    // Parallel to the declaration: the buffer or image of a resource. Owns the transient ones.
+    // The buffer or image of a resource, indexed like the declaration. Owns transient ones.
     struct Resource {
         const rhi::Image* image = nullptr;
         const rhi::Buffer* buffer = nullptr;

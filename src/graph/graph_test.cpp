@@ -15,7 +15,7 @@ namespace {
 using rhi::test::expect_ok;
 using rhi::test::value_of;
 
-constexpr std::uint32_t kSide = 20;  // not a multiple of the work groups' 8
+constexpr std::uint32_t kSide = 20;  // not a multiple of the workgroup size 8
 
 // The two shaders of test_shaders/.
 struct Shaders {
@@ -130,7 +130,7 @@ TEST_F(RhiGraph, RunsWhatIsPlanned) {
     }
 }
 
-// Two runs in one submission wait for each other, although the graph describes only one.
+// Two runs in one submission are synchronised, although the graph describes only one.
 TEST_F(RhiGraph, RunsTwiceInOneSubmission) {
     const Shaders shaders(device());
     const rhi::Buffer counted =

@@ -27,7 +27,8 @@ struct Random {
     bool chance(std::uint32_t one_in) { return below(one_in) == 0; }
 };
 
-// Imported and transient images and buffers; passes that access up to four of them in all ways.
+// Imported and transient images and buffers; passes with all kinds of accesses to up to four of
+// them.
 Declaration random_graph(Random& random) {
     Declaration graph;
     std::vector<Ref> newest;
@@ -133,7 +134,7 @@ class Checker {
                       (b.after.access & second.usage.scope.access) == second.usage.scope.access;
             if (visible) break;
         }
-        // Between read and write it is enough that the reader has finished.
+        // A write after a read needs only an execution dependency.
         const bool finished = (reached & second.usage.scope.stages) == second.usage.scope.stages &&
                               std::ranges::any_of(barriers_[r], [&](const Dependency& d) {
                                   return d.step > first.step && d.step <= second.step;

@@ -64,7 +64,7 @@ Result<void> check_reads(const Declaration& declaration, const Versions& version
     return {};
 }
 
-// Passes that are marked as kept or write an imported resource, and all passes that they depend on.
+// Passes that are marked `keep` or write an imported resource, and all passes they depend on.
 std::vector<bool> find_needed(const Declaration& declaration, const Versions& versions) {
     std::vector<bool> needed(declaration.passes.size());
     std::vector<PassIndex> open;
@@ -127,7 +127,7 @@ Result<std::vector<std::uint32_t>> order_passes(const Declaration& declaration) 
         if (needed[pass]) waiting.insert(pass);
     std::vector<PassIndex> order;
     while (!waiting.empty()) {
-        // The first declared pass that waits for no other.
+        // The first pass in declared order whose dependencies have all been scheduled.
         const auto free =
             std::ranges::find_if(waiting, [&](PassIndex pass) { return before[pass].empty(); });
         if (free == waiting.end()) {

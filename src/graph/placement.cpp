@@ -1,5 +1,5 @@
-// Where transient images lie: largest first, each at the lowest offset that is free for its whole
-// lifetime.
+// Places transient images in the heap: largest first, each at the lowest offset that is free for
+// its whole lifetime.
 #include <algorithm>
 #include <numeric>
 

@@ -1,4 +1,4 @@
-// How long transient images live, and where they lie.
+// Lifetimes of transient images and their placement in memory.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ TEST(Placement, LivesFromFirstToLastUse) {
     EXPECT_FALSE(plan.offsets[out.resource].has_value());
 }
 
-// A chain of eight images, each made from the one before: two offsets alternate.
+// A chain of eight images, each computed from the previous one: two offsets alternate.
 TEST(Placement, AChainNeedsTwoPlaces) {
     Sketch s;
     Ref last = s.image("first", 1000);
@@ -55,8 +55,8 @@ TEST(Placement, RespectsAlignment) {
     EXPECT_EQ(plan.heap_bytes, 1034u);
 }
 
-// 300 random graphs: images that live at the same time never share a byte, places are aligned, and
-// sharing saves something over all.
+// 300 random graphs: images with overlapping lifetimes never share a byte, offsets are aligned, and
+// aliasing saves memory overall.
 TEST(Placement, OverlappingLivesNeverShareMemory) {
     std::mt19937 random(7);
     const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };

@@ -1,5 +1,5 @@
-// The plan of a frame: which passes run, in which order, the barriers between them, and where
-// transient images lie in memory. Computed from a Declaration without any device.
+// The plan of a frame: which passes run, their order, the barriers between them, and the memory
+// offsets of transient images. Computed from a Declaration without any device.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace hm::graph {
 
-// Before a pass, for one resource. Layouts are ignored for buffers.
+// A barrier before a pass, for one resource. Layouts are ignored for buffers.
 struct PlannedBarrier {
     std::uint32_t resource = 0;
     rhi::Scope before;
@@ -28,7 +28,7 @@ struct Step {
     std::vector<PlannedBarrier> barriers;
 };
 
-// Indices into Plan::steps, both included.
+// Indices into Plan::steps, both inclusive.
 struct Lifetime {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
@@ -56,14 +56,14 @@ Result<Plan> make_plan(const Declaration& declaration);
 
 // The parts of make_plan, in order.
 //
-// The passes that run, in their order: a version's writer before its readers, those before the
-// writer of the next. Passes that are ready at the same time keep the declared order.
+// Returns the passes that run, in order: a version's writer before its readers, and these before
+// the writer of the next version. Passes that are ready at the same time keep the declared order.
 Result<std::vector<std::uint32_t>> order_passes(const Declaration& declaration);
 // Fills lifetimes, offsets and heap_bytes from the steps' passes. Images whose lifetimes overlap
 // never overlap in the heap.
 void place_transients(const Declaration& declaration, Plan& plan);
-// Fills barriers from steps and offsets. Readers of one version that see one layout share a
-// barrier; a pass that needs nothing new gets none.
+// Fills barriers from steps and offsets. Readers of the same version in the same layout share a
+// barrier; a pass whose accesses are already synchronised gets none.
 void plan_barriers(const Declaration& declaration, Plan& plan);
 
 }  // namespace hm::graph

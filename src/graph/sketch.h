@@ -1,4 +1,4 @@
-// For this folder's tests: writes by hand the declarations that Graph and Pass make.
+// Test helpers: builds by hand the declarations that Graph and Pass create.
 #pragma once
 
 #include <cstdint>

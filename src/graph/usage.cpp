@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint64_t kStorageReads =
     VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_UNIFORM_READ_BIT;
 
-// The pipeline stages of a kind of pass, and the access flags of reading and writing there.
+// The pipeline stages of a kind of pass, and the access flags for reads and writes there.
 struct Kinds {
     std::uint64_t stages, reads, writes;
 };

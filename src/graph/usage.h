@@ -1,5 +1,4 @@
-// What an access means in a kind of pass: pipeline stages, access flags, and the layout that an
-// image must have.
+// Maps an access in a kind of pass to pipeline stages, access flags, and the required image layout.
 #pragma once
 
 #include "graph/declaration.h"
@@ -18,7 +17,7 @@ inline bool writes(AccessKind kind) {
     return kind == AccessKind::write || kind == AccessKind::read_write;
 }
 
-// Whether it needs the earlier contents.
+// Whether the access depends on the previous contents.
 inline bool reads(AccessKind kind) {
     return kind != AccessKind::write;
 }
