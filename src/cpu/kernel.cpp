@@ -1,5 +1,5 @@
-// The path-tracing stages over the CPU's BVH: the hooks that shading/path asks for, and the loop
-// over a tile. HM_RENDER_TILE names the function of this build.
+// The path-tracing stages on the CPU's BVH: the hooks that shading/path requires, and the loop over
+// a tile. HM_RENDER_TILE is the name of this variant's function.
 #include "cpu/kernel.h"
 
 #include "bvh/traverse.h"
@@ -55,9 +55,9 @@ struct Stages : KernelTables {
     }
 
 #ifdef HM_AOVS
-    std::size_t pixel = 0;      // of the film
+    std::size_t pixel = 0;      // index in the film
     KernelHit* hits = nullptr;  // of this pixel's samples
-    uint first_index = 0;       // of those
+    uint first_index = 0;       // sample index of hits[0]
 
     void begin_pixel(const KernelTile& tile, uint x, uint y) {
         const std::size_t column = x - tile.x0, row = y - tile.y0;

@@ -1,6 +1,6 @@
-// The inner loop of the CPU renderer, compiled once per instruction set. Only plain data crosses:
-// the translation units give hm and glm other names (see CMakeLists.txt), so that the linker never
-// merges an inline function built for a newer processor into the rest of the program.
+// The inner loop of the CPU renderer, compiled once per instruction set. The interface is plain
+// data: the kernels' translation units rename hm and glm (see CMakeLists.txt), so that the linker
+// never uses an inline function built for a newer CPU in the rest of the program.
 #pragma once
 
 #include "bvh/view.h"
@@ -16,7 +16,7 @@ struct KernelGeometry {
     const uvec3* triangles;
 };
 
-// Everything that the stages and their hooks read, by the names that the stages use.
+// All data that the stages and their hooks read, under the names that the stages use.
 struct KernelTables {
 #define HM_FRAME_VALUE(Type, name) Type name;
 #define HM_TABLE(number, Type, name) const Type* name;
@@ -26,10 +26,10 @@ struct KernelTables {
     const float* srgb;
     BvhView bvh;
 
-    // For the builds with AOVs.
+    // For the variants with AOVs.
     AovParams aovs;
     float* planes[kPlaneCount];         // of the film, from its first pixel; null: not requested
-    const uint* source_groups;          // of each source of light
+    const uint* source_groups;          // light group of each light source
     const mat4x3* next_transforms;      // per instance, at the next frame
     const vec3* const* next_positions;  // per geometry; null: its vertices do not move
 };
@@ -46,18 +46,18 @@ struct KernelTile {
     uint sample_begin, sample_end;
     PixelSum* pixels;
     uint stride;
-    // For the builds with AOVs:
-    std::size_t first_pixel;  // where `pixels` begins in the film
+    // For the variants with AOVs:
+    std::size_t first_pixel;  // index of `pixels[0]` in the film
     KernelHit* hits;  // what each sample hits: for each pixel of the tile, row by row, one per
                       // sample; unchanged for samples that hit nothing. Null: not requested
-    uint rays;        // out
-    uint non_finite;  // out
+    uint rays;        // output
+    uint non_finite;  // output
 };
 
 }  // namespace hm
 
 extern "C" {
-// Arguments are hm::KernelTables and hm::KernelTile; hm has another name in the kernels' builds.
+// Arguments are hm::KernelTables and hm::KernelTile; hm is renamed in the kernels' variants.
 using hm_render_tile = void(const void* tables, void* tile);
 hm_render_tile hm_render_tile_baseline, hm_render_tile_baseline_aovs;
 #if defined(__x86_64__)

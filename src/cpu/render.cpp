@@ -171,7 +171,7 @@ void CpuRenderer::Impl::render_tile(KernelTile& tile) {
         isa.render_tile_aovs(&tables, &tile);
         return;
     }
-    // A part of the samples at a time, so that the list of hits stays small.
+    // Renders the samples in batches to keep the list of hits small.
     constexpr std::uint32_t kSamplesAtOnce = 64;
     const std::uint32_t end = tile.sample_end;
     const std::size_t pixels = std::size_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0);
@@ -191,9 +191,9 @@ void CpuRenderer::Impl::render_tile(KernelTile& tile) {
     tile.non_finite = non_finite;
 }
 
-// Adds the samples that the tile's pixels lack. All have the same number, because tiles are
-// rendered whole; a film from elsewhere may have been split differently, and is completed pixel by
-// pixel.
+// Adds the missing samples of the tile's pixels. Normally all pixels have the same sample count,
+// because tiles are rendered whole; a film from elsewhere may have been tiled differently and is
+// completed pixel by pixel.
 void CpuRenderer::Impl::complete(KernelTile tile, RenderCounters& counters) {
     const PixelRect& crop = film->crop;
     tile.stride = crop.width();

@@ -1,4 +1,4 @@
-// The CPU renderer: the shared path-tracing stages under its own BVH, tiles over oneTBB.
+// The CPU renderer: the shared path-tracing stages with its own BVH, tiles in parallel with oneTBB.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace hm {
 
-// The build of the stages for this processor: "baseline", "avx2" or "avx512".
+// The instruction set variant of the stages for this CPU: "baseline", "avx2" or "avx512".
 std::string cpu_instruction_set();
 
 class CpuRenderer final : public Renderer {
@@ -21,7 +21,7 @@ class CpuRenderer final : public Renderer {
 
     std::string device() const override;  // "CPU (avx512)"
     Result<void> begin(const RenderJob& job, Film& film) override;
-    // Cancelling finishes the tiles in progress. Bits do not depend on the number of threads.
+    // Cancelling finishes the tiles in progress. The result is bit-identical for any thread count.
     Result<void> render(std::uint32_t begin, std::uint32_t end, RenderCounters& counters,
                         const std::atomic<bool>& cancel) override;
     Result<void> sync() override { return {}; }
