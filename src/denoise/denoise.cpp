@@ -10,6 +10,7 @@
 
 #include "base/check.h"
 #include "denoise/finite.h"
+#include "denoise/mirror.h"
 #include "denoise/oidn_library.h"
 
 namespace hm {
@@ -72,6 +73,23 @@ void check_picture(const FloatImage& image, const FloatImage& like) {
              image.pixels.size(), like.width, like.height);
 }
 
+// Smaller pictures are continued (mirror.h).
+constexpr std::uint32_t kSmallestSide = 128;
+
+// Negative values become 0; returns how many pixels had one.
+std::uint64_t clip_negative(Floats& values, std::size_t channels) {
+    std::uint64_t pixels = 0;
+    for (std::size_t i = 0; i < values.size(); i += channels) {
+        bool negative = false;
+        for (std::size_t c = i; c < i + channels; ++c) {
+            negative |= values[c] < 0.0f;
+            values[c] = std::max(values[c], 0.0f);
+        }
+        pixels += negative;
+    }
+    return pixels;
+}
+
 // `channels` of each pixel's four, from `first` on.
 Floats pick(const FloatImage& image, std::ptrdiff_t first, std::ptrdiff_t channels) {
     Floats out;
@@ -87,6 +105,29 @@ Floats pick_within(const FloatImage& image, float low, float high, std::uint64_t
     for (float& v : values)
         v = std::clamp(v, low, high);
     return values;
+}
+
+// What brings the picture's mean luminance to a grey that the library was trained on; 1 where it is
+// within a thousand times of that already, or black.
+float sane_scale(const Floats& color) {
+    constexpr double kGrey = 0.18, kFar = 1000.0;
+    double sum = 0;
+    for (const float v : color)
+        sum += double(v);
+    const double mean = sum / double(color.size());
+    if (!(mean > 0.0) || (mean > kGrey / kFar && mean < kGrey * kFar)) return 1.0f;
+    return float(std::clamp(kGrey / mean, 1e-37, 1e37));
+}
+
+// Whether alpha has one value, 0 or 1, at pixel i and at the eight around it.
+bool is_certain(const Floats& alpha, std::size_t i, std::size_t width) {
+    const float value = alpha[i];
+    if (value != 0.0f && value != 1.0f) return false;
+    const std::size_t x = i % width, y = i / width, height = alpha.size() / width;
+    for (std::size_t v = y - (y > 0); v <= std::min(y + 1, height - 1); ++v)
+        for (std::size_t u = x - (x > 0); u <= std::min(x + 1, width - 1); ++u)
+            if (alpha[v * width + u] != value) return false;
+    return true;
 }
 
 // Where every pixel has the same there is no noise to take out.
@@ -205,13 +246,38 @@ Result<Denoiser> Denoiser::open(DenoiseDevice wanted, unsigned threads) {
     return Denoiser(std::move(impl));
 }
 
+Result<Denoised> Denoiser::denoise_mirrored(const DenoiseInput& input) const {
+    FloatImage images[3];
+    DenoiseInput larger = input;
+    const FloatImage** const pictures[] = {&larger.beauty, &larger.albedo, &larger.normal};
+    std::uint64_t replaced = 0;  // without the mirror images
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (*pictures[i] == nullptr) continue;
+        check_picture(**pictures[i], *input.beauty);
+        const std::ptrdiff_t channels = i == 0 ? 4 : 3;
+        Floats values = pick(**pictures[i], 0, channels);
+        replaced += replace_non_finite(values, input.beauty->width, std::size_t(channels));
+        images[i] = mirrored(**pictures[i], kSmallestSide);
+        *pictures[i] = &images[i];
+    }
+    HM_TRY_ASSIGN(Denoised result, denoise(larger));
+    result.picture = middle(result.picture, input.beauty->width, input.beauty->height);
+    result.replaced_pixels = replaced;
+    Floats color = pick(*input.beauty, 0, 3);
+    replace_non_finite(color, input.beauty->width, 3);
+    result.negative_pixels = clip_negative(color, 3);
+    return result;
+}
+
 Result<Denoised> Denoiser::denoise(const DenoiseInput& input) const {
     HM_CHECK(input.beauty != nullptr && input.beauty->width > 0, "a beauty is needed");
+    if (std::min(input.beauty->width, input.beauty->height) < kSmallestSide)
+        return denoise_mirrored(input);
     const auto start = std::chrono::steady_clock::now();
     const FloatImage& beauty = *input.beauty;
     const oidn::Api& api = impl_->api;
     check_picture(beauty, beauty);
-    Denoised result{beauty, 0, 0};
+    Denoised result{.picture = beauty};
 
     std::vector<Guide> guides;
     const auto add_guide = [&](const char* name, const FloatImage* image, float low, float high) {
@@ -248,14 +314,22 @@ Result<Denoised> Denoiser::denoise(const DenoiseInput& input) const {
         color.insert(color.end(), {pixels[i], pixels[i + 1], pixels[i + 2]});
         alpha.push_back(pixels[i + 3]);
     }
+    result.negative_pixels = clip_negative(color, 3);
+    const float scale = sane_scale(color);
+    for (float& v : color)
+        v *= scale;
     filter_with_guides(color);
+    for (float& v : color)
+        v /= scale;
+    const Floats noisy_alpha = alpha;
     // As radiance too: as a value of a display it would be averaged along a curve, to another mean.
     if (input.alpha && varies(alpha)) filter_with_guides(alpha);
     HM_TRY(impl_->status("filtering"));
 
     for (std::size_t i = 0; i < alpha.size(); ++i) {
+        const bool certain = is_certain(noisy_alpha, i, beauty.width);
         result.picture.pixels[i] = {color[3 * i], color[3 * i + 1], color[3 * i + 2],
-                                    std::clamp(alpha[i], 0.0f, 1.0f)};
+                                    certain ? noisy_alpha[i] : std::clamp(alpha[i], 0.0f, 1.0f)};
     }
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -26,8 +26,9 @@ struct DenoiseInput {
 struct Denoised {
     FloatImage picture;  // premultiplied
     // Pixels of the beauty and the guides that were NaN or infinite; they were replaced by the mean
-    // of their finite neighbours.
+    // of their finite neighbours, larger holes from their edges inwards.
     std::uint64_t replaced_pixels = 0;
+    std::uint64_t negative_pixels = 0;  // of the beauty; negative values became 0
     double seconds = 0;
 };
 
@@ -44,10 +45,14 @@ class Denoiser {
     // For people: "Open Image Denoise 2.5.1 on cpu (AMD EPYC ...)".
     const std::string& description() const;
 
-    // Pictures too large for the device's memory are cut into tiles by the library.
+    // Of any size (small ones are continued by their mirror images) and in any unit of radiance
+    // (the library takes less than 1e-8 for black). Alpha that is 0 or 1 at a pixel and all around
+    // it stays so. Pictures too large for the device's memory are cut into tiles by the library.
     Result<Denoised> denoise(const DenoiseInput& input) const;
 
   private:
+    Result<Denoised> denoise_mirrored(const DenoiseInput& input) const;
+
     struct Impl;
     explicit Denoiser(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;

@@ -179,6 +179,78 @@ TEST_F(Denoise, AlphaIsDenoisedWhereAskedFor) {
     EXPECT_EQ(pixel(run(opaque).picture, 3, 3).w, 1.0f);
 }
 
+// Constant grey has nothing to take out, whatever the size: a picture's edges are not black.
+TEST_F(Denoise, SmallAndThinPicturesKeepTheirMean) {
+    for (const auto& [width, height] :
+         {std::pair(1u, 1u), {64u, 1u}, {1u, 64u}, {128u, 2u}, {30u, 30u}, {63u, 200u}}) {
+        FloatImage grey(width, height);
+        for (Rgba<float>& p : grey.pixels)
+            p = {0.5f, 0.5f, 0.5f, 1.0f};
+        DenoiseInput input;
+        input.beauty = &grey;
+        const Denoised result = run(input);
+        ASSERT_EQ(result.picture.pixels.size(), grey.pixels.size());
+        for (const Rgba<float>& p : result.picture.pixels)
+            for (std::size_t c = 0; c < 3; ++c)
+                ASSERT_NEAR(p[c], 0.5f, 0.01f) << width << " x " << height;
+    }
+}
+
+// The library takes luminance under 1e-8 for black. The scale is a power of two, so the bits of
+// what is filtered differ by the choice of the scale alone.
+TEST_F(Denoise, AnyUnitOfRadiance) {
+    const FloatImage reference = run(scene_.input()).picture;
+    for (const float unit : {1e-30f, 1e-12f, 1e12f, 1e30f}) {
+        FloatImage scaled = scene_.noisy;
+        for (Rgba<float>& p : scaled.pixels)
+            for (std::size_t c = 0; c < 3; ++c)
+                p[c] *= unit;
+        DenoiseInput input = scene_.input();
+        input.beauty = &scaled;
+        FloatImage back = run(input).picture;
+        for (Rgba<float>& p : back.pixels)
+            for (std::size_t c = 0; c < 3; ++c)
+                p[c] /= unit;
+        EXPECT_LT(compare_images(back, reference).relative_mse, 1e-4) << unit;
+    }
+}
+
+TEST_F(Denoise, NegativeValuesAreCounted) {
+    FloatImage negative = scene_.noisy;
+    set_pixel(negative, 5, 5, vec4(-1, 1, 1, 1));
+    set_pixel(negative, 7, 5, vec4(-1, -2, -3, 1));
+    DenoiseInput input = scene_.input();
+    input.beauty = &negative;
+    EXPECT_EQ(run(input).negative_pixels, 2u);
+    EXPECT_EQ(run(scene_.input()).negative_pixels, 0u);
+}
+
+// An opaque thing in front of nothing: only at its edge may alpha be anything but 0 and 1.
+TEST_F(Denoise, CertainAlphaStays) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> noise(0, 1);
+    const auto edge = [](auto x, auto y) {
+        return in_square(x, y) && (x == 30 || x == 65 || y == 24 || y == 71);
+    };
+    FloatImage noisy = drawn([&](auto x, auto y) {
+        const float alpha = edge(x, y) ? noise(random) : in_square(x, y) ? 1.0f : 0.0f;
+        return vec4(vec3(alpha * (0.5f + noise(random))), alpha);
+    });
+    DenoiseInput input;
+    input.beauty = &noisy;
+    input.alpha = true;
+    const FloatImage result = run(input).picture;
+    for (std::uint32_t y = 1; y + 1 < kSide; ++y)
+        for (std::uint32_t x = 1; x + 1 < kSide; ++x) {
+            bool near_edge = false;
+            for (std::uint32_t v = y - 1; v <= y + 1; ++v)
+                for (std::uint32_t u = x - 1; u <= x + 1; ++u)
+                    near_edge |= edge(u, v);
+            if (near_edge) continue;
+            ASSERT_EQ(pixel(result, x, y).w, in_square(x, y) ? 1.0f : 0.0f) << x << ", " << y;
+        }
+}
+
 TEST_F(Denoise, TheSameInputGivesTheSameBits) {
     EXPECT_EQ(run(scene_.input()).picture.pixels, run(scene_.input()).picture.pixels);
 }

@@ -7,7 +7,8 @@
 namespace hm {
 
 // A pixel with a value that is not finite becomes the mean of its finite neighbours among the eight
-// around it, or 0 where there are none. Returns how many there were. `values` holds rows of `width`
+// around it; larger holes are filled from their edges inwards. 0 if no pixel is finite. Returns how
+// many there were. `values` holds rows of `width`
 // pixels with `channels` floats each.
 std::uint64_t replace_non_finite(std::span<float> values, std::size_t width, std::size_t channels);
 

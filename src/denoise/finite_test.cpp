@@ -23,7 +23,20 @@ TEST(ReplaceNonFinite, TakesTheMeanOfTheNeighbours) {
 TEST(ReplaceNonFinite, BrokenNeighboursDoNotCount) {
     std::vector<float> grey = {kInf, kNan, 3, 4};
     EXPECT_EQ(replace_non_finite(grey, 4, 1), 2u);
-    EXPECT_EQ(grey, (std::vector<float>{0, 3, 3, 4}));
+    EXPECT_EQ(grey, (std::vector<float>{3, 3, 3, 4}));
+}
+
+TEST(ReplaceNonFinite, HolesAreFilledInwards) {
+    constexpr std::size_t kSide = 12;
+    std::vector<float> grey(kSide * kSide, 2.0f);
+    for (std::size_t y = 2; y < 10; ++y)
+        for (std::size_t x = 3; x < 11; ++x)
+            grey[y * kSide + x] = kInf;
+    EXPECT_EQ(replace_non_finite(grey, kSide, 1), 64u);
+    EXPECT_EQ(grey, std::vector<float>(kSide * kSide, 2.0f));
+    std::vector<float> nothing(4, kNan);
+    EXPECT_EQ(replace_non_finite(nothing, 2, 1), 4u);
+    EXPECT_EQ(nothing, std::vector<float>(4, 0.0f));
 }
 
 TEST(ReplaceNonFinite, APixelGoesAsAWhole) {

@@ -101,4 +101,13 @@ std::optional<Matrix3> to_rec709(const Chromaticities& from) {
     return result;
 }
 
+FloatImage convert(FloatImage image, const Matrix3& matrix) {
+    for (Rgba<float>& pixel : image.pixels) {
+        const Vector3 converted = multiply(matrix, Vector3{pixel[0], pixel[1], pixel[2]});
+        for (std::size_t c = 0; c < 3; ++c)
+            pixel[c] = float(converted[c]);
+    }
+    return image;
+}
+
 }  // namespace hm

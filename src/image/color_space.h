@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "image/image.h"
+
 namespace hm {
 
 // CIE 1931 x and y of the primaries and of white.
@@ -28,5 +30,8 @@ using Matrix3 = std::array<std::array<double, 3>, 3>;  // rows
 // 1985): grey stays grey. Colours outside of Rec. 709 get negative components. Nothing where the
 // chromaticities span no plane, as zeros and NaN.
 std::optional<Matrix3> to_rec709(const Chromaticities& from);
+
+// R, G and B of every pixel.
+FloatImage convert(FloatImage image, const Matrix3& matrix);
 
 }  // namespace hm

@@ -18,6 +18,7 @@
 
 #include "image/codecs.h"
 #include "image/exr_header.h"
+#include "image/exr_layers.h"
 #include "image/exr_stream.h"
 #include "image/layers.h"
 #include "image/radiance.h"
@@ -88,10 +89,7 @@ Result<ChosenPart> choose_part(Imf::MultiPartInputFile& file, std::string_view n
 
 // To Rec. 709, if the file's chromaticities are others.
 Result<std::optional<Matrix3>> conversion(const Imf::Header& header, std::string_view name) {
-    if (!Imf::hasChromaticities(header)) return std::optional<Matrix3>();
-    const Imf::Chromaticities& c = Imf::chromaticities(header);
-    const auto xy = [](const Imath::V2f& v) { return std::array{double(v.x), double(v.y)}; };
-    const Chromaticities stored = {xy(c.red), xy(c.green), xy(c.blue), xy(c.white)};
+    const Chromaticities stored = chromaticities_of(header);
     if (is_rec709(stored)) return std::optional<Matrix3>();
     std::optional<Matrix3> matrix = to_rec709(stored);
     if (!matrix) return refuse(name, "the chromaticities are no colour space");
@@ -188,7 +186,7 @@ Result<FloatImage> read_part(Imf::MultiPartInputFile& file, const ChosenPart& ch
 }  // namespace
 
 Result<FloatImage> decode_exr(Bytes bytes, std::string_view name, ReadWarnings& warnings) {
-    HM_TRY(check_exr_header(bytes, name, ExrParts::several));
+    HM_TRY(check_exr_header(bytes, name));
     try {
         ExrInput stream(bytes, std::string(name));
         Imf::MultiPartInputFile file(stream);

@@ -216,9 +216,6 @@ Result<void> check_claims(const Claims& claims, const Limits& limits, std::strin
                          claims.tile_width * claims.tile_height > kMaxImagePixels))
         return refuse(name, fmt::format("tiles of {} x {} pixels are too large", claims.tile_width,
                                         claims.tile_height));
-    if (claims.width * claims.height * claims.channels > kMaxValues)
-        return refuse(name, fmt::format("{} x {} pixels with {} channels are too many",
-                                        claims.width, claims.height, claims.channels));
     if (claims.chunks > limits.chunks)
         return refuse(name, fmt::format("{} chunks are more than the file holds", claims.chunks));
     return {};
@@ -226,20 +223,22 @@ Result<void> check_claims(const Claims& claims, const Limits& limits, std::strin
 
 }  // namespace
 
-Result<void> check_exr_header(Bytes bytes, std::string_view name, ExrParts parts) {
+Result<void> check_exr_header(Bytes bytes, std::string_view name) {
     Cursor cursor(bytes);
     const auto magic = cursor.number();
     const auto version = cursor.number();
     if (!magic || !version) return refuse(name, "the header ends early");
     const bool several = (*version & kMultiPartFlag) != 0;
-    if ((*version & kDeepFlag) || (several && parts == ExrParts::one))
-        return refuse(name, "deep data and files of several parts are not supported",
-                      ErrorKind::unsupported);
+    if ((*version & kDeepFlag) && !several)
+        return refuse(name, "deep data is not supported", ErrorKind::unsupported);
     const Limits limits{bytes.size() / 8, (*version & kTiledFlag) != 0 || several};
+    std::uint64_t values = 0;
     for (;;) {
         HM_TRY_ASSIGN(const std::optional<Claims> claims, read_header(cursor, name));
         if (!claims) break;
         HM_TRY(check_claims(*claims, limits, name));
+        values += claims->width * claims->height * claims->channels;
+        if (values > kMaxValues) return refuse(name, fmt::format("{} values are too many", values));
         if (!several) break;
     }
     return {};

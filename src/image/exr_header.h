@@ -7,11 +7,9 @@
 
 namespace hm {
 
-enum class ExrParts { one, several };  // may a file have
-
 // Fails unless the file has flat parts, attributes that end inside the file, and data windows,
-// tiles and channels that keep to the limits of read.h. Deep parts, more parts than allowed and
-// codecs of later versions of OpenEXR are ErrorKind::unsupported.
-Result<void> check_exr_header(Bytes bytes, std::string_view name, ExrParts parts);
+// tiles and channels that keep to the limits of read.h. Deep data and codecs of later versions of
+// OpenEXR are ErrorKind::unsupported.
+Result<void> check_exr_header(Bytes bytes, std::string_view name);
 
 }  // namespace hm

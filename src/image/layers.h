@@ -5,25 +5,31 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.h"
+#include "image/color_space.h"
 #include "image/image.h"
 #include "image/write.h"
 
 namespace hm {
 
-// How a channel is stored in the file; in memory all are floats. Files of others may hold 32-bit
-// integers, which are read as floats.
-enum class ChannelType { float32, half };
+struct ExrAttributes;
+
+// How a channel is stored in the file; in memory all are floats. 32-bit integers, which files of
+// others may hold, are kept beside them.
+enum class ChannelType { float32, half, uint32 };
 
 struct LayerChannel {
     std::string name;           // without the layer's: "R"
     std::vector<float> values;  // rows from the top
     ChannelType type = ChannelType::float32;
+    std::vector<std::uint32_t> integers{};  // uint32 only; `values` are the nearest floats
 };
 
 struct Layer {
@@ -47,6 +53,10 @@ struct LayeredImage {
     PictureWindow display;  // the whole picture that it is a part of
     std::vector<Layer> layers;
     Metadata metadata;  // text attributes, in the file by name
+    // Other attributes of the file that this was read from; write_layers writes them again. Without
+    // them the chromaticities are Rec. 709's.
+    std::shared_ptr<const ExrAttributes> attributes{};
+    std::optional<Matrix3> to_rec709{};  // where the file's chromaticities are others
 
     const Layer* find(std::string_view layer) const;
     const std::string* find_metadata(std::string_view key) const;
@@ -62,7 +72,8 @@ Layer make_layer(std::string name, const FloatImage& image, bool alpha);
 
 enum class ExrCompression { none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab };
 
-// Whether float channels come back as they were.
+// Whether float channels come back as they were. Other compressions are for the beauty, the layer
+// without a name: the other layers are stored without loss, in a second part of the file.
 constexpr bool is_lossless(ExrCompression compression) {
     return compression < ExrCompression::pxr24;
 }
@@ -72,13 +83,12 @@ struct ExrOptions {
     std::uint32_t tile = 0;  // side in pixels; 0: scan lines
 };
 
-// Linear Rec.709, which the chromaticities attribute says. Values beyond what half can hold become
-// its largest. No two channels have the same name.
+// Finite values beyond what half can hold become its largest. No two channels have the same name.
 Result<void> write_layers(const std::filesystem::path& path, const LayeredImage& picture,
                           const ExrOptions& options = {});
 
-// Values as stored. Fails with ErrorKind::unreadable, invalid or unsupported (deep data, several
-// parts, subsampled channels).
+// Values as stored; parts are joined. Fails with ErrorKind::unreadable, invalid or unsupported
+// (deep data, parts with different data windows, subsampled channels).
 Result<LayeredImage> read_layers(const std::filesystem::path& path);
 
 }  // namespace hm

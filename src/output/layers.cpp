@@ -28,6 +28,15 @@ std::vector<float> finish_plane(const Film& film, const AovInfo& info) {
     return values;
 }
 
+// 1 where a ray hit, else 0: Blender takes a layer of U and V alone for noise.
+void add_hit_channel(const Film& film, const AovInfo& info, Layer& layer) {
+    const FilmPlane& plane = *film.find_plane(info.plane);
+    LayerChannel& hit = layer.channels.emplace_back();
+    hit.name = "A";
+    for (std::size_t i = 0; i < film.sums.size(); ++i)
+        hit.values.push_back(plane.values[(i + 1) * plane.floats - 1] > 0 ? 1.0f : 0.0f);
+}
+
 std::vector<Layer> light_group_layers(const Film& film) {
     const FilmPlane& plane = *film.find_plane(kPlaneLightGroups);
     std::vector<Layer> layers;
@@ -60,8 +69,11 @@ std::vector<Layer> layers_of(const Film& film, const AovInfo& info, const Crypto
             return cryptomatte_layers(film, info.aov, names);
         case AovValue::own:
             break;
-        default:
-            return {make_layer(layer, info.channels, finish_plane(film, info))};
+        default: {
+            Layer made = make_layer(layer, info.channels, finish_plane(film, info));
+            if (info.aov == Aov::uv) add_hit_channel(film, info, made);
+            return {std::move(made)};
+        }
     }
     if (info.aov == Aov::light_groups) return light_group_layers(film);
     return {make_layer(layer, info.channels,

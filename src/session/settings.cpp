@@ -11,26 +11,6 @@ tl::unexpected<Error> refuse(std::string setting, std::string message) {
     return fail_setting(std::move(setting), std::move(message));
 }
 
-// No bit of an id may change. B44 leaves 32-bit floats alone.
-bool needs_every_bit(Aov aov) {
-    return aov_info(aov).value == AovValue::ids || aov == Aov::material_id ||
-           aov == Aov::instance_id;
-}
-
-Result<void> check_layers(const LayerSettings& layers) {
-    const ExrCompression compression = layers.exr.compression;
-    if (is_lossless(compression) || compression == ExrCompression::b44 ||
-        compression == ExrCompression::b44a)
-        return {};
-    for (const Aov aov : layers.aovs)
-        if (needs_every_bit(aov))
-            return refuse("exr-compression",
-                          fmt::format("changes values, which makes {} useless; use none, rle, "
-                                      "zips, zip or piz",
-                                      aov_info(aov).name));
-    return {};
-}
-
 // Of the film and the file for one pixel's AOVs, about.
 double layer_bytes_per_pixel(const LayerSettings& layers) {
     double floats = 0;
@@ -70,7 +50,6 @@ Result<void> check_settings(const RenderSettings& s) {
         return refuse("crop", fmt::format("reaches beyond the picture's {} x {} pixels",
                                           frame.width, frame.height));
     HM_TRY(check_memory(s));
-    HM_TRY(check_layers(s.layers));
     if (s.path.filter_width && *s.path.filter_width <= 0)
         return refuse("filter-width", "must be above 0");
     if (s.view.up && *s.view.up == vec3(0)) return refuse("up", "must have a length");

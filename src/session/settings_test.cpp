@@ -26,11 +26,6 @@ TEST(Settings, ErrorsNameTheSetting) {
     EXPECT_EQ(faulty([](auto& s) { s.path.filter_width = 0.0f; }), "filter-width");
     EXPECT_EQ(faulty([](auto& s) { s.view.up = vec3(0); }), "up");
     EXPECT_EQ(faulty([](auto& s) { s.view.eye = s.view.target = vec3(1); }), "target");
-    EXPECT_EQ(faulty([](auto& s) {
-                  s.layers.aovs = {Aov::crypto_object};
-                  s.layers.exr.compression = ExrCompression::dwaa;
-              }),
-              "exr-compression");
 }
 
 TEST(Settings, FramesHaveTheirTimeAndSeed) {

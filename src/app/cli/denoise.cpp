@@ -22,6 +22,12 @@ namespace {
 
 Result<void> write_one(const std::filesystem::path& path, const DenoiseOptions& options,
                        const LayeredImage& picture, const FloatImage& denoised) {
+    // .png and .hdr are Rec. 709.
+    if (picture.to_rec709 && picture_kind(path) != PictureKind::exr) {
+        LayeredImage converted = picture;
+        converted.to_rec709.reset();
+        return write_one(path, options, converted, convert(denoised, *picture.to_rec709));
+    }
     const PictureWindow& data = picture.data;
     const float exposure = options.exposure ? *options.exposure : auto_exposure(denoised);
     // Dither follows the whole picture, whose pixels may start at a negative number.
@@ -33,19 +39,26 @@ Result<void> write_one(const std::filesystem::path& path, const DenoiseOptions& 
                           .tone = {exposure, options.tone_curve}});
 }
 
+std::string changes(const Denoised& denoised) {
+    std::string text;
+    if (denoised.replaced_pixels > 0)
+        text += fmt::format("; {} pixels were not finite and were filled from their neighbours",
+                            denoised.replaced_pixels);
+    if (denoised.negative_pixels > 0)
+        text += fmt::format("; {} pixels had negative values, which became 0",
+                            denoised.negative_pixels);
+    return text;
+}
+
 std::string report(const DenoiseOptions& options, const std::string& device,
                    const Denoised& denoised) {
     if (!options.json)
-        return fmt::format("{}, {:.2f} s{}\n", device, denoised.seconds,
-                           denoised.replaced_pixels == 0
-                               ? ""
-                               : fmt::format("; {} pixels were not finite and were replaced by "
-                                             "their neighbours' mean",
-                                             denoised.replaced_pixels));
+        return fmt::format("{}, {:.2f} s{}\n", device, denoised.seconds, changes(denoised));
     JsonWriter json;
     json.begin_object().field("program", "himalaya " HIMALAYA_VERSION);
     json.field("input", options.input.string()).field("denoiser", device);
     json.field("seconds", denoised.seconds).field("replaced_pixels", denoised.replaced_pixels);
+    json.field("negative_pixels", denoised.negative_pixels);
     json.key("outputs").begin_array();
     for (const std::filesystem::path& path : options.outputs)
         json.value(path.string());
