@@ -36,11 +36,12 @@ struct SamplingSettings {
 };
 
 struct ViewSettings {
-    std::string camera{};  // name or index; empty: the first, or frame the scene
-    std::optional<Vec3> eye{}, target{}, up{};  // instead of a camera of the scene, metres
-    std::optional<float> vertical_fov{};        // degrees
-    float lens_radius = 0;                      // metres; 0: everything is in focus
-    std::optional<float> focus_distance{};      // metres
+    std::string camera{};                  // name or index; empty: the first, or frame the scene
+    std::optional<Vec3d> eye{}, target{};  // instead of a camera of the scene, metres
+    std::optional<Vec3> up{};
+    std::optional<float> vertical_fov{};    // degrees
+    float lens_radius = 0;                  // metres; 0: everything is in focus
+    std::optional<float> focus_distance{};  // metres
 };
 
 enum class Environment {

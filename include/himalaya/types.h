@@ -14,6 +14,11 @@ struct Vec3 {
     float x = 0, y = 0, z = 0;
 };
 
+// For positions: scenes may be millions of metres from the origin.
+struct Vec3d {
+    double x = 0, y = 0, z = 0;
+};
+
 struct Vec4 {
     float x = 0, y = 0, z = 0, w = 0;
 };
@@ -22,10 +27,10 @@ struct Vec4 {
 using Triangle = std::array<std::uint32_t, 3>;
 
 // Columns one after the other, as in glTF; the identity by default.
-using Matrix = std::array<float, 16>;
+using Matrix = std::array<double, 16>;
 inline constexpr Matrix kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
-constexpr Matrix translation(Vec3 v) {
+constexpr Matrix translation(Vec3d v) {
     return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, v.x, v.y, v.z, 1};
 }
 

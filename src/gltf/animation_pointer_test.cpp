@@ -67,7 +67,7 @@ TEST(AnimationPointer, MovesFactorsLightsAndCameras) {
     EXPECT_EQ(scene.materials[0].metallic, 0.5f);
     EXPECT_EQ(scene.materials[0].base_color, vec4(0.5f));
     EXPECT_EQ(scene.materials[0].emissive(), vec3(5));
-    EXPECT_EQ(scene.nodes[0].local[3], vec4(0.5f, 1, 2, 1));
+    EXPECT_EQ(scene.nodes[0].local[3], glm::dvec4(0.5f, 1, 2, 1));
     EXPECT_EQ(scene.lights[0].color, vec3(0.5f, 1, 2));
     EXPECT_EQ(scene.lights[0].intensity, 5);
     EXPECT_EQ(scene.lights[0].inner_cone, 0.5f);
@@ -77,7 +77,7 @@ TEST(AnimationPointer, MovesFactorsLightsAndCameras) {
     ASSERT_TRUE(pose_scene(scene, std::nullopt));
     EXPECT_EQ(scene.materials[0].metallic, 0.25f);
     EXPECT_EQ(scene.materials[0].emissive(), vec3(3));
-    EXPECT_EQ(scene.nodes[0].local[3], vec4(0, 0, 0, 1));
+    EXPECT_EQ(scene.nodes[0].local[3], glm::dvec4(0, 0, 0, 1));
     EXPECT_EQ(scene.cameras[0].yfov, 1);
 }
 

@@ -207,14 +207,14 @@ Result<std::uint64_t> Json::to_integer(dom::element value, const Place& pointer)
     return static_cast<std::uint64_t>(number);
 }
 
-template <class Place>
-Result<float> Json::to_number(dom::element value, const Place& pointer) const {
+template <class Number, class Place>
+Result<Number> Json::to_number(dom::element value, const Place& pointer) const {
     double number = 0;
     if (value.get(number) != simdjson::SUCCESS) return mistyped(pointer(), "a number", value);
     if (std::abs(number) > double(std::numeric_limits<float>::max()))
         return hm::fail(ErrorKind::invalid, *file_, pointer(),
                         fmt::format("{} does not fit a 32-bit float", number));
-    return static_cast<float>(number);
+    return static_cast<Number>(number);
 }
 
 Result<std::optional<std::uint64_t>> Json::integer(std::string_view key) const {
@@ -253,7 +253,7 @@ Result<std::vector<std::size_t>> Json::indices(std::string_view key, std::size_t
 Result<std::optional<float>> Json::number(std::string_view key) const {
     const auto found = find(key);
     if (!found) return std::nullopt;
-    return to_number(*found, [&] { return pointer_of(key); });
+    return to_number<float>(*found, [&] { return pointer_of(key); });
 }
 
 Result<float> Json::number_or(std::string_view key, float fallback) const {
@@ -267,13 +267,14 @@ Result<std::vector<float>> Json::number_list(std::string_view key) const {
     if (!values) return out;
     for (const dom::element value : *values) {
         const auto here = [&] { return element_place(pointer_of(key), out.size()); };
-        HM_TRY_ASSIGN(const float number, to_number(value, here));
+        HM_TRY_ASSIGN(const float number, to_number<float>(value, here));
         out.push_back(number);
     }
     return out;
 }
 
-Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
+template <class Number>
+Result<bool> Json::read_numbers(std::string_view key, std::span<Number> out) const {
     HM_TRY_ASSIGN(const auto& values, array(key));
     if (!values) return false;
     if (values->size() != out.size())
@@ -282,10 +283,18 @@ Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
     std::size_t i = 0;
     for (const dom::element value : *values) {
         const auto here = [&] { return element_place(pointer_of(key), i); };
-        HM_TRY_ASSIGN(out[i], to_number(value, here));
+        HM_TRY_ASSIGN(out[i], to_number<Number>(value, here));
         ++i;
     }
     return true;
+}
+
+Result<bool> Json::numbers(std::string_view key, std::span<float> out) const {
+    return read_numbers(key, out);
+}
+
+Result<bool> Json::numbers(std::string_view key, std::span<double> out) const {
+    return read_numbers(key, out);
 }
 
 }  // namespace hm::gltf

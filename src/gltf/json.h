@@ -60,11 +60,12 @@ class Json {
                                              std::string_view what) const;
     Result<std::vector<std::size_t>> indices(std::string_view key, std::size_t count,
                                              std::string_view what) const;
-    // Numbers fit a float: glTF's are read into floats everywhere.
+    // Numbers fit the range of a float. Only nodes read them in double precision.
     Result<std::optional<float>> number(std::string_view key) const;
     Result<float> number_or(std::string_view key, float fallback) const;
     // An array of exactly out.size() numbers; false, and `out` as it was, where absent.
     Result<bool> numbers(std::string_view key, std::span<float> out) const;
+    Result<bool> numbers(std::string_view key, std::span<double> out) const;
     // An array of any length; empty where absent.
     Result<std::vector<float>> number_list(std::string_view key) const;
 
@@ -96,8 +97,10 @@ class Json {
     // `pointer` is a function: texts are made only where something is wrong.
     template <class Place>
     Result<std::uint64_t> to_integer(simdjson::dom::element value, const Place& pointer) const;
-    template <class Place>
-    Result<float> to_number(simdjson::dom::element value, const Place& pointer) const;
+    template <class Number, class Place>
+    Result<Number> to_number(simdjson::dom::element value, const Place& pointer) const;
+    template <class Number>
+    Result<bool> read_numbers(std::string_view key, std::span<Number> out) const;
 
     simdjson::dom::element value_;
     std::string place_;

@@ -20,6 +20,7 @@
 #include "gltf/skins.h"
 #include "gltf/source.h"
 #include "gltf/variants.h"
+#include "scene/origin.h"
 #include "scene/pose.h"
 #include "scene/tangents.h"
 
@@ -70,6 +71,7 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     HM_TRY_ASSIGN(scene.skins, read_skins(root, source, scene_node, scene));
     HM_TRY(check_skinned_nodes(source, scene_node, scene));
     HM_TRY_ASSIGN(scene.animations, read_animations(root, source, scene_node, scene));
+    set_origin(scene);
     if (std::any_of(scene.meshes.begin(), scene.meshes.end(), is_deformable)) {
         HM_TRY(separate_posed_meshes(source, scene));
         HM_TRY(pose_scene(scene, std::nullopt));  // else all stands at rest already

@@ -48,15 +48,16 @@ Result<std::vector<glm::mat4>> make_transforms(const Json& attributes, const Col
     for (std::size_t i = 0; i < columns.count; ++i) {
         Transform t;
         for (std::size_t c = 0; c < 3; ++c) {
-            if (!columns.translation.empty()) t.translation[c] = columns.translation[3 * i + c];
-            if (!columns.scale.empty()) t.scale[c] = columns.scale[3 * i + c];
+            if (!columns.translation.empty())
+                t.translation[c] = double(columns.translation[3 * i + c]);
+            if (!columns.scale.empty()) t.scale[c] = double(columns.scale[3 * i + c]);
         }
         for (std::size_t c = 0; c < 4 && !columns.rotation.empty(); ++c)
-            t.rotation[c] = columns.rotation[4 * i + c];
-        if (t.rotation == vec4(0))
+            t.rotation[c] = double(columns.rotation[4 * i + c]);
+        if (t.rotation == glm::dvec4(0))
             return attributes.invalid(
                 "ROTATION", fmt::format("element {}: a zero quaternion is no rotation", i));
-        out.push_back(to_matrix(t));
+        out.emplace_back(to_matrix(t));
     }
     return out;
 }

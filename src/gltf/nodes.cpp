@@ -220,24 +220,27 @@ bool is_finite(const glm::mat4& m) {
     return true;
 }
 
-bool all_finite(const Node& node, const glm::mat4& world) {
-    return is_finite(world) &&
+// Whether 32-bit floats can hold the node's world transforms.
+bool all_finite(const Node& node, const glm::dmat4& world) {
+    return is_finite(glm::mat4(world)) &&
            std::all_of(node.instances.begin(), node.instances.end(),
-                       [&](const glm::mat4& instance) { return is_finite(world * instance); });
+                       [&](const glm::mat4& instance) {
+                           return is_finite(glm::mat4(world * glm::dmat4(instance)));
+                       });
 }
 
 // That every node has a place in the world.
 Result<void> check_finite(const Source& source, const Scene& scene) {
     struct Ancestor {
         int node;
-        glm::mat4 world;
+        glm::dmat4 world;
     };
     std::vector<Ancestor> path;  // nodes stand depth first, so only these are still needed
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
         while (!path.empty() && path.back().node != node.parent)
             path.pop_back();
-        const glm::mat4 world = path.empty() ? node.local : path.back().world * node.local;
+        const glm::dmat4 world = path.empty() ? node.local : path.back().world * node.local;
         if (!all_finite(node, world))
             return broken(source, node.index, "its world transform overflows a 32-bit float");
         path.push_back({static_cast<int>(i), world});

@@ -12,10 +12,10 @@ Overrides nodes(const std::string& list, const std::string& roots = "[0]") {
     return {{"nodes", list}, {"scenes", "[{\"nodes\":" + roots + "}]"}};
 }
 
-glm::mat4 local(const std::string& node) {
+glm::dmat4 local(const std::string& node) {
     const Loaded loaded = load_text(document(nodes("[" + node + "]")));
     EXPECT_TRUE(loaded.scene) << loaded.scene.error().line();
-    return loaded.scene ? loaded.scene->nodes.at(0).local : glm::mat4(0);
+    return loaded.scene ? loaded.scene->nodes.at(0).local : glm::dmat4(0);
 }
 
 void expect_near(const glm::mat4& m, vec3 from, vec3 to) {
@@ -26,7 +26,7 @@ void expect_near(const glm::mat4& m, vec3 from, vec3 to) {
 }
 
 TEST(Transforms, MatrixAndParts) {
-    EXPECT_EQ(local("{}"), glm::mat4(1));
+    EXPECT_EQ(local("{}"), glm::dmat4(1));
     const glm::mat4 m = local(R"({"matrix":[1,2,3,0, 4,5,6,0, 7,8,9,0, 10,11,12,1]})");
     EXPECT_EQ(m[0], vec4(1, 2, 3, 0));
     EXPECT_EQ(m[3], vec4(10, 11, 12, 1));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "gltf/accessor.h"
@@ -29,7 +30,9 @@ Result<std::vector<glm::mat4>> read_inverse_bind(const Json& skin, Source& sourc
     HM_TRY_ASSIGN(const std::vector<float> values, read_floats(source, *index));
     HM_TRY(check_finite(source, *index, values));
     for (std::size_t i = 0; i < joint_count; ++i) {
-        const auto matrix = affine_matrix(std::span<const float, 16>(values.data() + 16 * i, 16));
+        std::array<double, 16> columns{};
+        std::copy_n(values.begin() + std::ptrdiff_t(16 * i), 16, columns.begin());
+        const auto matrix = affine_matrix(columns);
         if (!matrix)
             return fail(ErrorKind::invalid, source.file, accessor_place(*index),
                         fmt::format("the last row of element {} is not 0 0 0 1", i));

@@ -6,8 +6,8 @@
 namespace hm::gltf {
 namespace {
 
-Result<glm::mat4> read_matrix(const Json& node) {
-    std::array<float, 16> m{};
+Result<glm::dmat4> read_matrix(const Json& node) {
+    std::array<double, 16> m{};
     HM_TRY(node.numbers("matrix", m));
     const auto matrix = affine_matrix(m);
     if (!matrix) return node.invalid("matrix", "its last row is not 0 0 0 1");
@@ -16,18 +16,18 @@ Result<glm::mat4> read_matrix(const Json& node) {
 
 template <class Vector>
 Result<void> read_vector(const Json& node, std::string_view key, Vector& out) {
-    HM_TRY(node.numbers(key, std::span<float>(&out[0], std::size_t(Vector::length()))));
+    HM_TRY(node.numbers(key, std::span<double>(&out[0], std::size_t(Vector::length()))));
     return {};
 }
 
 }  // namespace
 
-std::optional<glm::mat4> affine_matrix(std::span<const float, 16> columns) {
+std::optional<glm::dmat4> affine_matrix(std::span<const double, 16> columns) {
     // Exporters write the last row with rounding errors; more than that is a projection.
-    constexpr float kTolerance = 1e-4f;
-    glm::mat4 out(1);
+    constexpr double kTolerance = 1e-4;
+    glm::dmat4 out(1);
     for (int column = 0; column < 4; ++column) {
-        const float* from = columns.data() + 4 * column;
+        const double* from = columns.data() + 4 * column;
         if (!(std::abs(from[3] - out[column][3]) <= kTolerance)) return std::nullopt;
         for (int row = 0; row < 3; ++row)
             out[column][row] = from[row];
@@ -48,7 +48,7 @@ Result<void> read_transform(const Json& json, Node& node) {
     HM_TRY(read_vector(json, "translation", rest.translation));
     HM_TRY(read_vector(json, "scale", rest.scale));
     HM_TRY(read_vector(json, "rotation", rest.rotation));
-    if (rest.rotation == vec4(0))
+    if (rest.rotation == glm::dvec4(0))
         return json.invalid("rotation", "a zero quaternion is no rotation");
     node.local = to_matrix(rest);
     return {};

@@ -1,4 +1,4 @@
-// A node's own transform.
+// A node's own transform, in double precision.
 #pragma once
 
 #include <optional>
@@ -14,6 +14,6 @@ namespace hm::gltf {
 Result<void> read_transform(const Json& json, Node& node);
 
 // Sixteen numbers, column by column. Nothing unless the last row is 0 0 0 1, to rounding.
-std::optional<glm::mat4> affine_matrix(std::span<const float, 16> columns);
+std::optional<glm::dmat4> affine_matrix(std::span<const double, 16> columns);
 
 }  // namespace hm::gltf

@@ -9,6 +9,7 @@
 #include "library/picture_impl.h"
 #include "library/scene_impl.h"
 #include "library/settings.h"
+#include "scene/origin.h"
 #include "scene/pose.h"
 #include "scene/tangents.h"
 #include "session/denoise_layers.h"
@@ -66,8 +67,11 @@ std::string text_of(const hm::NamedValues& values) {
 void prepare(Scene::Impl& impl) {
     if (impl.lacks_tangents) hm::prepare_tangents(impl.scene);
     impl.lacks_tangents = false;
-    // A picture before this one may have posed it.
-    if (!impl.scene.animations.empty()) value_or_throw(hm::pose_scene(impl.scene, std::nullopt));
+    if (impl.lacks_origin) hm::set_origin(impl.scene);
+    // Skinned vertices are relative to the origin, and a picture before this one may have posed it.
+    if (impl.lacks_origin || !impl.scene.animations.empty())
+        value_or_throw(hm::pose_scene(impl.scene, std::nullopt));
+    impl.lacks_origin = false;
 }
 
 // R, G, B and A of the beauty, or of its denoised version.

@@ -9,9 +9,9 @@
 namespace himalaya {
 namespace {
 
-glm::mat4 matrix_of(const Matrix& matrix) {
-    for (const float x : matrix)
-        if (!std::isfinite(x)) refuse("a transform has a value that is not finite");
+glm::dmat4 matrix_of(const Matrix& matrix) {
+    for (const double x : matrix)
+        if (!std::isfinite(float(x))) refuse("a transform has a value that is not finite");
     return glm::make_mat4(matrix.data());
 }
 
@@ -45,6 +45,7 @@ void Scene::add_instance(std::uint32_t mesh, const Matrix& transform, const std:
         node.mesh = int(mesh);
         node.local = matrix_of(transform);
         scene.nodes.push_back(std::move(node));
+        impl_->lacks_origin = true;
     });
 }
 
@@ -59,7 +60,7 @@ void Scene::add_light(const Light& light, const Matrix& transform) {
         if (!(light.inner_cone >= 0 && light.inner_cone < light.outer_cone &&
               light.outer_cone <= 1.5707964f))
             refuse("a light's cones must be 0 <= inner < outer <= pi / 2");
-        const glm::mat4 local = matrix_of(transform);
+        const glm::dmat4 local = matrix_of(transform);
         scene.lights.push_back({.name = light.name,
                                 .kind = light.kind == Light::Kind::directional
                                             ? hm::kLightDirectional
@@ -93,7 +94,7 @@ void Scene::add_camera(const Camera& camera, const Matrix& transform) {
                 refuse("a camera's field of view must be between 0 and 180 degrees");
             added.yfov = camera.vertical_fov * 0.017453292519943295f;
         }
-        const glm::mat4 local = matrix_of(transform);
+        const glm::dmat4 local = matrix_of(transform);
         scene.cameras.push_back(added);
         hm::Node node;
         node.name = camera.name;

@@ -17,6 +17,8 @@ struct Scene::Impl {
     std::vector<std::string> warnings;  // of loading
     // A mesh was added since tangents were last prepared.
     bool lacks_tangents = false;
+    // An instance was added since the origin was last chosen.
+    bool lacks_origin = false;
 };
 
 }  // namespace himalaya

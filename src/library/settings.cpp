@@ -11,6 +11,10 @@ std::optional<hm::vec3> to_glm(const std::optional<Vec3>& v) {
     return v ? std::optional<hm::vec3>({v->x, v->y, v->z}) : std::nullopt;
 }
 
+std::optional<glm::dvec3> to_glm(const std::optional<Vec3d>& v) {
+    return v ? std::optional<glm::dvec3>({v->x, v->y, v->z}) : std::nullopt;
+}
+
 std::uint32_t sampler_of(Sampler sampler) {
     return sampler == Sampler::independent        ? hm::kSamplerIndependent
            : sampler == Sampler::sobol_blue_noise ? hm::kSamplerSobolBlueNoise
@@ -66,31 +70,33 @@ std::vector<hm::Aov> aovs_of(const std::vector<std::string>& names) {
     return std::move(*aovs);
 }
 
-void check_number(float value, float low, float high, const char* setting) {
+void check_number(double value, double low, double high, const char* setting) {
     if (!(value >= low && value <= high))
         throw Error(ErrorKind::invalid_argument, "is out of range or not finite", {}, {}, setting);
 }
 
 // What flags refuse when they are parsed.
 void check(const RenderSettings& s) {
-    constexpr float kMost = 1e15f;
+    constexpr double kMost = 1e15;
     if (s.sampling.samples == 0 || s.sampling.samples > hm::kMaxSamples)
         throw Error(ErrorKind::invalid_argument, "must be from 1 to 16777216", {}, {}, "samples");
-    check_number(s.sampling.clamp, 0, kMost, "clamp");
-    check_number(s.sampling.filter_width.value_or(1), 0, 64, "filter_width");
-    check_number(s.view.vertical_fov.value_or(45), 0.01f, 179, "vertical_fov");
-    check_number(s.view.lens_radius, 0, 1e6f, "lens_radius");
-    check_number(s.view.focus_distance.value_or(1), 1e-6f, kMost, "focus_distance");
-    check_number(s.light.environment_rotation, -36000, 36000, "environment_rotation");
-    check_number(s.light.environment_intensity, 0, 1e9f, "environment_intensity");
-    check_number(s.animation.time.value_or(0), -1e9f, 1e9f, "time");
-    check_number(s.display.exposure.value_or(0), -32, 32, "exposure");
-    for (const auto& v : {s.view.eye, s.view.target, s.view.up})
-        for (const float x : {v.value_or(Vec3()).x, v.value_or(Vec3()).y, v.value_or(Vec3()).z})
-            check_number(x, -kMost, kMost, "view");
+    check_number(double(s.sampling.clamp), 0, kMost, "clamp");
+    check_number(double(s.sampling.filter_width.value_or(1)), 0, 64, "filter_width");
+    check_number(double(s.view.vertical_fov.value_or(45)), 0.01, 179, "vertical_fov");
+    check_number(double(s.view.lens_radius), 0, 1e6, "lens_radius");
+    check_number(double(s.view.focus_distance.value_or(1)), 1e-6, kMost, "focus_distance");
+    check_number(double(s.light.environment_rotation), -36000, 36000, "environment_rotation");
+    check_number(double(s.light.environment_intensity), 0, 1e9, "environment_intensity");
+    check_number(double(s.animation.time.value_or(0)), -1e9, 1e9, "time");
+    check_number(double(s.display.exposure.value_or(0)), -32, 32, "exposure");
+    const Vec3d eye = s.view.eye.value_or(Vec3d()), target = s.view.target.value_or(Vec3d());
+    const Vec3 up = s.view.up.value_or(Vec3());
+    for (const double x : {eye.x, eye.y, eye.z, target.x, target.y, target.z, double(up.x),
+                           double(up.y), double(up.z)})
+        check_number(x, -kMost, kMost, "view");
     const Vec3& background = s.light.background_color;
     for (const float x : {background.x, background.y, background.z})
-        check_number(x, 0, kMost, "background_color");
+        check_number(double(x), 0, kMost, "background_color");
 }
 
 }  // namespace

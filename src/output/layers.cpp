@@ -37,6 +37,20 @@ void add_hit_channel(const Film& film, const AovInfo& info, Layer& layer) {
         hit.values.push_back(plane.values[(i + 1) * plane.floats - 1] > 0 ? 1.0f : 0.0f);
 }
 
+// Positions are summed relative to the scene's origin, in floats, so that the sums stay precise.
+std::vector<float> finish_positions(const Film& film, const AovInfo& info,
+                                    const glm::dvec3& origin) {
+    std::vector<float> values = finish_plane(film, info);
+    if (origin == glm::dvec3(0)) return values;
+    const FilmPlane& plane = *film.find_plane(info.plane);
+    for (std::size_t i = 0; i < film.sums.size(); ++i) {
+        if (!(plane.values[i * plane.floats + 3] > 0)) continue;  // no sample hit anything
+        for (std::size_t c = 0; c < 3; ++c)
+            values[3 * i + c] = float(origin[glm::length_t(c)] + double(values[3 * i + c]));
+    }
+    return values;
+}
+
 std::vector<Layer> light_group_layers(const Film& film) {
     const FilmPlane& plane = *film.find_plane(kPlaneLightGroups);
     std::vector<Layer> layers;
@@ -62,15 +76,18 @@ std::vector<float> sample_counts(const Film& film) {
     return counts;
 }
 
-std::vector<Layer> layers_of(const Film& film, const AovInfo& info, const CryptomatteNames& names) {
+std::vector<Layer> layers_of(const Film& film, const AovInfo& info, const LayerChoice& choice) {
     const std::string layer(info.layer);
     switch (info.value) {
         case AovValue::ids:
-            return cryptomatte_layers(film, info.aov, names);
+            return cryptomatte_layers(film, info.aov, choice.names);
         case AovValue::own:
             break;
         default: {
-            Layer made = make_layer(layer, info.channels, finish_plane(film, info));
+            Layer made =
+                make_layer(layer, info.channels,
+                           info.aov == Aov::position ? finish_positions(film, info, choice.origin)
+                                                     : finish_plane(film, info));
             if (info.aov == Aov::uv) add_hit_channel(film, info, made);
             return {std::move(made)};
         }
@@ -99,7 +116,7 @@ LayeredImage film_layers(const Film& film, const LayerChoice& choice) {
     if (is_half("beauty")) store_as_half(picture.layers);
     for (const Aov aov : film.selection.aovs) {
         const AovInfo& info = aov_info(aov);
-        std::vector<Layer> layers = layers_of(film, info, choice.names);
+        std::vector<Layer> layers = layers_of(film, info, choice);
         if (is_half(info.name)) store_as_half(layers);
         std::move(layers.begin(), layers.end(), std::back_inserter(picture.layers));
         if (info.value != AovValue::ids) continue;

@@ -16,6 +16,7 @@ struct LayerChoice {
     bool alpha = false;                   // the beauty's
     std::vector<std::string> half;        // layers to store in 16 bits, by the names of parse_half
     CryptomatteNames names;               // read where a cryptomatte is chosen
+    glm::dvec3 origin{0};                 // added to positions
 };
 
 // The picture proper first, then the AOVs in the order of their table; metadata are those of the

@@ -35,7 +35,8 @@ const float* value_at(const AnimationSampler& s, std::size_t key) {
 }
 
 // Cubic Hermite basis (Appendix C.4). Tangents are per second.
-void interpolate_cubic(const AnimationSampler& s, const Span& at, std::span<float> out) {
+template <class Number>
+void interpolate_cubic(const AnimationSampler& s, const Span& at, std::span<Number> out) {
     const std::size_t width = out.size();
     const float* v0 = value_at(s, at.first);
     const float* v1 = value_at(s, at.second);
@@ -43,10 +44,10 @@ void interpolate_cubic(const AnimationSampler& s, const Span& at, std::span<floa
     const float* in_tangent = v1 - width;
     const double t = at.fraction, t2 = t * t, t3 = t2 * t;
     for (std::size_t i = 0; i < width; ++i)
-        out[i] = float((2 * t3 - 3 * t2 + 1) * double(v0[i]) +
-                       at.seconds * (t3 - 2 * t2 + t) * double(out_tangent[i]) +
-                       (3 * t2 - 2 * t3) * double(v1[i]) +
-                       at.seconds * (t3 - t2) * double(in_tangent[i]));
+        out[i] = Number((2 * t3 - 3 * t2 + 1) * double(v0[i]) +
+                        at.seconds * (t3 - 2 * t2 + t) * double(out_tangent[i]) +
+                        (3 * t2 - 2 * t3) * double(v1[i]) +
+                        at.seconds * (t3 - t2) * double(in_tangent[i]));
 }
 
 glm::dvec4 unit_quaternion(const float* v) {
@@ -66,13 +67,8 @@ glm::dvec4 slerp(glm::dvec4 a, glm::dvec4 b, double t) {
     return (a * std::sin((1 - t) * angle) + b * std::sin(t * angle)) / sine;
 }
 
-}  // namespace
-
-std::size_t AnimationSampler::width() const {
-    return values.size() / times.size() / (interpolation == Interpolation::cubic_spline ? 3 : 1);
-}
-
-void evaluate(const AnimationSampler& sampler, double seconds, std::span<float> out) {
+template <class Number>
+void interpolate(const AnimationSampler& sampler, double seconds, std::span<Number> out) {
     const Span at = find_span(sampler.times, seconds);
     const float* v0 = value_at(sampler, at.first);
     if (at.first == at.second || sampler.interpolation == Interpolation::step) {
@@ -82,20 +78,34 @@ void evaluate(const AnimationSampler& sampler, double seconds, std::span<float> 
     } else {
         const float* v1 = value_at(sampler, at.second);
         for (std::size_t i = 0; i < out.size(); ++i)
-            out[i] = float(double(v0[i]) * (1 - at.fraction) + double(v1[i]) * at.fraction);
+            out[i] = Number(double(v0[i]) * (1 - at.fraction) + double(v1[i]) * at.fraction);
     }
 }
 
-vec4 evaluate_rotation(const AnimationSampler& sampler, double seconds) {
+}  // namespace
+
+std::size_t AnimationSampler::width() const {
+    return values.size() / times.size() / (interpolation == Interpolation::cubic_spline ? 3 : 1);
+}
+
+void evaluate(const AnimationSampler& sampler, double seconds, std::span<float> out) {
+    interpolate(sampler, seconds, out);
+}
+
+void evaluate(const AnimationSampler& sampler, double seconds, std::span<double> out) {
+    interpolate(sampler, seconds, out);
+}
+
+glm::dvec4 evaluate_rotation(const AnimationSampler& sampler, double seconds) {
     const Span at = find_span(sampler.times, seconds);
     if (at.first != at.second && sampler.interpolation == Interpolation::linear)
-        return vec4(slerp(unit_quaternion(value_at(sampler, at.first)),
-                          unit_quaternion(value_at(sampler, at.second)), at.fraction));
+        return slerp(unit_quaternion(value_at(sampler, at.first)),
+                     unit_quaternion(value_at(sampler, at.second)), at.fraction);
     std::array<float, 4> q{};
     evaluate(sampler, seconds, q);
     // A spline between opposite quaternions can pass through zero, which is not a rotation.
-    if (q == std::array<float, 4>{}) return vec4(unit_quaternion(value_at(sampler, at.first)));
-    return vec4(unit_quaternion(q.data()));
+    if (q == std::array<float, 4>{}) return unit_quaternion(value_at(sampler, at.first));
+    return unit_quaternion(q.data());
 }
 
 }  // namespace hm

@@ -65,11 +65,12 @@ struct Animation {
 };
 
 // Evaluates the sampler at a time, which is clamped to the range of the keys. `out` has room for
-// width() floats.
+// width() numbers.
 void evaluate(const AnimationSampler& sampler, double seconds, std::span<float> out);
+void evaluate(const AnimationSampler& sampler, double seconds, std::span<double> out);
 
 // The same for quaternions (width 4, none of length zero); returns a unit quaternion. Linear
 // interpolation is slerp along the shorter great arc.
-vec4 evaluate_rotation(const AnimationSampler& sampler, double seconds);
+glm::dvec4 evaluate_rotation(const AnimationSampler& sampler, double seconds);
 
 }  // namespace hm

@@ -19,7 +19,7 @@ FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice ch
     flat.mean_radiance = environment.mean_radiance;
     flat.environment_texels = std::move(environment.texels);
     flat.environment_alias = std::move(environment.alias);
-    const std::vector<glm::mat4> world = world_transforms(scene);
+    const std::vector<glm::dmat4> world = world_transforms(scene);
     flatten_materials(scene, flat);
     flatten_geometries(scene, flat);
     flatten_instances(scene, world, flat, diagnostics);

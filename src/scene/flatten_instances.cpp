@@ -37,8 +37,10 @@ void grow_by_instance(Bounds& bounds, const Bounds& mesh, const mat4x3& object_t
 }
 
 void add_instance(FlatScene& flat, const Scene& scene, InstanceOrigin origin,
-                  const glm::mat4& placed, const Bounds& local_bounds, Diagnostics& diagnostics) {
+                  const glm::dmat4& exact, const Bounds& local_bounds, Diagnostics& diagnostics) {
     const Node& node = scene.nodes[origin.node];
+    // The inverse is that of the rounded matrix, which the renderer reads.
+    const glm::mat4 placed(exact);
     const glm::dmat4 to_world(placed);
     const double determinant = glm::determinant(glm::dmat3(to_world));
     const glm::dmat4 to_object = glm::inverse(to_world);
@@ -86,7 +88,7 @@ void flatten_geometries(const Scene& scene, FlatScene& flat) {
     flat.mesh_first_geometry.push_back(std::uint32_t(flat.geometries.size()));
 }
 
-void flatten_instances(const Scene& scene, const std::vector<glm::mat4>& world, FlatScene& flat,
+void flatten_instances(const Scene& scene, const std::vector<glm::dmat4>& world, FlatScene& flat,
                        Diagnostics& diagnostics) {
     const std::vector<Bounds> local_bounds = mesh_bounds(scene);
     const std::vector<bool> visible = visible_nodes(scene);
@@ -94,13 +96,13 @@ void flatten_instances(const Scene& scene, const std::vector<glm::mat4>& world, 
         const Node& node = scene.nodes[i];
         if (node.mesh == kUnset || !visible[i]) continue;
         const Bounds& bounds = local_bounds[std::size_t(node.mesh)];
-        const glm::mat4 placed = node.skin == kUnset ? world[i] : glm::mat4(1);
+        const glm::dmat4 placed = node.skin == kUnset ? world[i] : glm::dmat4(1);
         const auto number = std::uint32_t(i);
         if (node.instances.empty())
             add_instance(flat, scene, {number, 0}, placed, bounds, diagnostics);
         for (std::uint32_t copy = 0; copy < node.instances.size(); ++copy)
-            add_instance(flat, scene, {number, copy}, placed * node.instances[copy], bounds,
-                         diagnostics);
+            add_instance(flat, scene, {number, copy}, combine(scene, placed, node.instances[copy]),
+                         bounds, diagnostics);
     }
 }
 

@@ -25,19 +25,19 @@ LightData light_data(const Light& light, const glm::mat4& world) {
 
 }  // namespace
 
-void warn_of_lost_directions(const Scene& scene, const std::vector<glm::mat4>& world,
+void warn_of_lost_directions(const Scene& scene, const std::vector<glm::dmat4>& world,
                              Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
         const bool aimed_light =
             node.light != kUnset && scene.lights[std::size_t(node.light)].kind != kLightPoint;
-        if ((node.camera == kUnset && !aimed_light) || has_direction(world[i])) continue;
+        if ((node.camera == kUnset && !aimed_light) || has_direction(glm::mat4(world[i]))) continue;
         diagnostics.warn(scene.file, pointer_of(node),
                          "a camera or lamp is scaled to nothing; it looks along the world's -z");
     }
 }
 
-void flatten_lights(const Scene& scene, const std::vector<glm::mat4>& world, FlatScene& flat) {
+void flatten_lights(const Scene& scene, const std::vector<glm::dmat4>& world, FlatScene& flat) {
     constexpr float pi = std::numbers::pi_v<float>;
     const float radius = float(scene_radius(flat.bounds));
     const float disk = pi * radius * radius;
@@ -46,7 +46,7 @@ void flatten_lights(const Scene& scene, const std::vector<glm::mat4>& world, Fla
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         if (scene.nodes[i].light == kUnset || !visible[i]) continue;
         const Light& light = scene.lights[std::size_t(scene.nodes[i].light)];
-        const LightData d = light_data(light, world[i]);
+        const LightData d = light_data(light, glm::mat4(world[i]));
         const float cos_outer = std::cos(light.outer_cone);
         if (!(luminance(d.color) > 0)) continue;
         float extent = light.kind == kLightDirectional ? disk

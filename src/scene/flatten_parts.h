@@ -14,15 +14,15 @@ void flatten_materials(const Scene& scene, FlatScene& flat);
 // geometries, geometry_views and mesh_first_geometry.
 void flatten_geometries(const Scene& scene, FlatScene& flat);
 
-// instances and bounds. `world` holds the world transform of each node.
-void flatten_instances(const Scene& scene, const std::vector<glm::mat4>& world, FlatScene& flat,
+// instances and bounds. `world` holds each node's world_transforms.
+void flatten_instances(const Scene& scene, const std::vector<glm::dmat4>& world, FlatScene& flat,
                        Diagnostics& diagnostics);
 
 // lights, light_alias and punctual_power.
-void flatten_lights(const Scene& scene, const std::vector<glm::mat4>& world, FlatScene& flat);
+void flatten_lights(const Scene& scene, const std::vector<glm::dmat4>& world, FlatScene& flat);
 
 // Warns about cameras and directional or spot lights whose transform degenerates their direction.
-void warn_of_lost_directions(const Scene& scene, const std::vector<glm::mat4>& world,
+void warn_of_lost_directions(const Scene& scene, const std::vector<glm::dmat4>& world,
                              Diagnostics& diagnostics);
 
 // Radius of the scene's bounding sphere in metres, clamped away from 0 and infinity.

@@ -26,8 +26,8 @@ void set_next_pose(FlatScene& flat, const Scene& scene, const PoseRecord& next) 
     flat.aovs.next_transforms.clear();
     for (const InstanceOrigin& origin : flat.instance_origins) {
         const Node& node = scene.nodes[origin.node];
-        glm::mat4 placed = node.skin == kUnset ? next.world[origin.node] : glm::mat4(1);
-        if (!node.instances.empty()) placed = placed * node.instances[origin.copy];
+        glm::dmat4 placed = node.skin == kUnset ? next.world[origin.node] : glm::dmat4(1);
+        if (!node.instances.empty()) placed = combine(scene, placed, node.instances[origin.copy]);
         flat.aovs.next_transforms.push_back(mat4x3(placed));
     }
 }

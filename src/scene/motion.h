@@ -10,7 +10,7 @@ namespace hm {
 
 // A pose of the scene: only the data that posing changes.
 struct PoseRecord {
-    std::vector<glm::mat4> world;              // per node
+    std::vector<glm::dmat4> world;             // per node
     std::vector<std::vector<vec3>> positions;  // per primitive, mesh by mesh; empty for
                                                // primitives that are not deformed
 };

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "scene/animated_values.h"
+#include "scene/origin.h"
 
 namespace hm {
 namespace {
@@ -20,14 +21,15 @@ bool all_finite(const Vector& v) {
     return true;
 }
 
+// Whether 32-bit floats can hold it.
 bool is_finite(const glm::mat4& m) {
     return all_finite(m[0]) && all_finite(m[1]) && all_finite(m[2]) && all_finite(m[3]);
 }
 
-vec3 evaluate_vector(const AnimationSampler& sampler, double seconds) {
-    std::array<float, 3> out{};
+glm::dvec3 evaluate_vector(const AnimationSampler& sampler, double seconds) {
+    std::array<double, 3> out{};
     evaluate(sampler, seconds, out);
-    return vec3(out[0], out[1], out[2]);
+    return {out[0], out[1], out[2]};
 }
 
 // Per-node values that animation channels override.
@@ -98,11 +100,10 @@ Result<void> apply_values(Scene& scene, std::size_t animation, double seconds) {
 }
 
 // Transform from the space of the rest vertices to world space, per joint.
-std::vector<glm::mat4> joint_matrices(const Skin& skin, const std::vector<glm::mat4>& world) {
+std::vector<glm::mat4> joint_matrices(const Skin& skin, const std::vector<glm::dmat4>& world) {
     std::vector<glm::mat4> out;
     for (std::size_t i = 0; i < skin.joints.size(); ++i)
-        out.emplace_back(glm::dmat4(world[std::size_t(skin.joints[i])]) *
-                         glm::dmat4(skin.inverse_bind[i]));
+        out.emplace_back(world[std::size_t(skin.joints[i])] * glm::dmat4(skin.inverse_bind[i]));
     return out;
 }
 
@@ -128,7 +129,7 @@ bool is_finite(const Primitive& primitive) {
     return true;
 }
 
-Result<void> deform_meshes(Scene& scene, const Pose& pose, const std::vector<glm::mat4>& world) {
+Result<void> deform_meshes(Scene& scene, const Pose& pose, const std::vector<glm::dmat4>& world) {
     std::vector<bool> done(scene.meshes.size(), false);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         Node& node = scene.nodes[i];
@@ -158,10 +159,11 @@ Result<void> pose_scene(Scene& scene, const std::optional<PoseTime>& at) {
         HM_TRY(apply_values(scene, at->animation, at->seconds));
     }
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
-        if (scene.nodes[i].rest) scene.nodes[i].local = to_matrix(pose.transforms[i]);
-    const std::vector<glm::mat4> world = world_transforms(scene);
+        if (scene.nodes[i].rest) set_local(scene, scene.nodes[i], pose.transforms[i]);
+    const std::vector<glm::dmat4> world = world_transforms(scene);
     for (std::size_t i = 0; i < world.size(); ++i)
-        if (!is_finite(world[i])) return overflows(scene, scene.nodes[i], "world transform");
+        if (!is_finite(glm::mat4(world[i])))
+            return overflows(scene, scene.nodes[i], "world transform");
     return deform_meshes(scene, pose, world);
 }
 

@@ -17,12 +17,20 @@ std::vector<bool> visible_nodes(const Scene& scene) {
     return visible;
 }
 
-std::vector<glm::mat4> world_transforms(const Scene& scene) {
-    std::vector<glm::mat4> world;
+glm::dmat4 combine(const Scene& scene, const glm::dmat4& outer, const glm::dmat4& inner) {
+    if (scene.double_precision) return outer * inner;
+    return glm::mat4(outer) * glm::mat4(inner);
+}
+
+std::vector<glm::dmat4> world_transforms(const Scene& scene) {
+    std::vector<glm::dmat4> world;
     world.reserve(scene.nodes.size());
     for (const Node& node : scene.nodes)
-        world.push_back(node.parent == kUnset ? node.local
-                                              : world[std::size_t(node.parent)] * node.local);
+        world.push_back(node.parent == kUnset
+                            ? node.local
+                            : combine(scene, world[std::size_t(node.parent)], node.local));
+    for (glm::dmat4& matrix : world)
+        matrix[3] -= glm::dvec4(scene.origin, 0);
     return world;
 }
 

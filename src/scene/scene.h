@@ -96,7 +96,7 @@ struct Node {
     std::string name;
     int index = kUnset;  // node index in the file, for messages
     int parent = kUnset;
-    glm::mat4 local{1};
+    glm::dmat4 local{1};
     std::optional<Transform> rest;  // `local` when no animation moves the node
     int mesh = kUnset;
     int camera = kUnset;
@@ -105,17 +105,22 @@ struct Node {
     // transform.
     std::vector<glm::mat4> instances{};
     bool visible = true;  // false hides meshes and lights of the node and its descendants
-    // With a skin, the mesh's vertices are in world space and the node's transform does not affect
-    // them. Such a mesh is used only by this node, or by nodes that give it the same pose.
+    // With a skin, the mesh's vertices are in world space, relative to Scene::origin, and the
+    // node's transform does not affect them. Such a mesh is used only by this node, or by nodes
+    // that give it the same pose.
     int skin = kUnset;
     bool skin_mirrors = false;   // set by posing: the joints reverse the triangles' winding
     std::vector<float> weights;  // morph target weights; empty: those of the mesh
 };
 
 struct Scene {
-    std::string file;         // for messages
-    std::string hash;         // of the file and all files that it references (base/hash.h)
-    std::vector<Node> nodes;  // only those of the selected glTF scene
+    std::string file;  // for messages
+    std::string hash;  // of the file and all files that it references (base/hash.h)
+    // What is rendered has world coordinates relative to this point of the file's world space.
+    // Skinned vertices are relative to it too, so scene/origin sets it before posing.
+    glm::dvec3 origin{0};
+    bool double_precision = false;  // transforms are combined in it, else in floats
+    std::vector<Node> nodes;        // only those of the selected glTF scene
     std::vector<Mesh> meshes;
     std::vector<Material> materials;
     std::vector<TextureImage> images;
@@ -131,7 +136,10 @@ std::string pointer_of(const Node& node);
 // Whether each node and all its ancestors are visible.
 std::vector<bool> visible_nodes(const Scene& scene);
 
-// World transform of each node.
-std::vector<glm::mat4> world_transforms(const Scene& scene);
+// A transform within another one, in the precision that the scene needs.
+glm::dmat4 combine(const Scene& scene, const glm::dmat4& outer, const glm::dmat4& inner);
+
+// World transform of each node, relative to Scene::origin.
+std::vector<glm::dmat4> world_transforms(const Scene& scene);
 
 }  // namespace hm

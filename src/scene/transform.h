@@ -1,4 +1,5 @@
-// A node's local transform, decomposed: translation * rotation * scale.
+// A node's local transform, decomposed: translation * rotation * scale. In double precision:
+// georeferenced files have nodes millions of metres from the origin.
 #pragma once
 
 #include "shading/lang.h"
@@ -6,12 +7,15 @@
 namespace hm {
 
 struct Transform {
-    vec3 translation{0};        // metres
-    vec4 rotation{0, 0, 0, 1};  // quaternion x, y, z, w; of any nonzero length
-    vec3 scale{1};
+    glm::dvec3 translation{0};        // metres
+    glm::dvec4 rotation{0, 0, 0, 1};  // quaternion x, y, z, w; of any nonzero length
+    glm::dvec3 scale{1};
 };
 
-glm::mat4 to_matrix(const Transform& transform);
+glm::dmat4 to_matrix(const Transform& transform);
+
+// The nearest that 32-bit floats hold.
+Transform round_to_floats(const Transform& transform);
 
 // Vectors with a smaller squared length have no direction: the square has lost its precision.
 inline constexpr float kLeastSquaredLength = 1e-30f;

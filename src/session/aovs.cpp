@@ -33,7 +33,7 @@ Result<std::optional<PoseRecord>> record_next_pose(const RenderSettings& setting
 
 AovSetup prepare_aovs(const RenderSettings& settings, const Scene& scene, FlatScene& flat,
                       const std::optional<PoseRecord>& next_pose) {
-    AovSetup setup{select_aovs(settings), {}};
+    AovSetup setup{select_aovs(settings), scene.origin, {}};
     if (setup.selection.has(Aov::light_groups)) {
         LightGroups groups = find_light_groups(scene, flat);
         setup.selection.light_groups = std::move(groups.names);

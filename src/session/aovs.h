@@ -19,7 +19,8 @@ Result<std::optional<PoseRecord>> record_next_pose(const RenderSettings& setting
 
 struct AovSetup {
     AovSelection selection;
-    SurfaceNames names;  // if a cryptomatte is chosen
+    glm::dvec3 origin{0};  // Scene::origin
+    SurfaceNames names;    // if a cryptomatte is chosen
 };
 
 // Also fills flat.aovs.

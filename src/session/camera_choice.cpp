@@ -34,6 +34,15 @@ const std::string& name_of(const Scene& scene, std::size_t node) {
     return name.empty() ? camera_of(scene, node).name : name;
 }
 
+// In the file's coordinates, with the digits of a float where that is what they are.
+std::string coordinates_text(vec3 v, const glm::dvec3& origin) {
+    const auto text = [&](int axis) {
+        return origin[axis] == 0 ? fmt::format("{}", v[axis])
+                                 : fmt::format("{}", origin[axis] + double(v[axis]));
+    };
+    return fmt::format("{},{},{}", text(0), text(1), text(2));
+}
+
 // Position within `nodes`; a name wins over an index.
 Result<std::size_t> find_camera(const std::string& wanted, const Scene& scene,
                                 const std::vector<std::size_t>& nodes) {
@@ -55,7 +64,7 @@ Result<std::size_t> find_camera(const std::string& wanted, const Scene& scene,
 
 Result<CameraChoice> file_camera(const ViewSettings& view, const Scene& scene,
                                  const std::vector<std::size_t>& nodes,
-                                 const std::vector<glm::mat4>& world, const Bounds& bounds,
+                                 const std::vector<glm::dmat4>& world, const Bounds& bounds,
                                  float aspect) {
     std::size_t chosen = 0;
     if (!view.camera.empty()) {
@@ -67,7 +76,7 @@ Result<CameraChoice> file_camera(const ViewSettings& view, const Scene& scene,
         return fail_setting("fov", "the chosen camera is orthographic and has no field of view",
                             scene.file);
     if (view.fov) camera.yfov = radians_of(*view.fov);
-    CameraChoice choice{camera_from_node(camera, world[node], aspect),
+    CameraChoice choice{camera_from_node(camera, glm::mat4(world[node]), aspect),
                         fmt::format("camera {}", chosen)};
     if (!name_of(scene, node).empty()) choice.name += fmt::format(" ({})", name_of(scene, node));
     const float middle = dot(bounds.center() - choice.data.origin, choice.data.forward);
@@ -78,17 +87,20 @@ Result<CameraChoice> file_camera(const ViewSettings& view, const Scene& scene,
 }  // namespace
 
 Result<CameraChoice> choose_camera(const ViewSettings& view, const Scene& scene,
-                                   const std::vector<glm::mat4>& world, const Bounds& bounds,
+                                   const std::vector<glm::dmat4>& world, const Bounds& bounds,
                                    float aspect) {
     const std::vector<std::size_t> nodes = camera_nodes(scene);
     const float fov = radians_of(view.fov.value_or(kDefaultFov));
     CameraChoice choice;
     if (view.eye) {
+        const vec3 eye(*view.eye - scene.origin);
         const vec3 middle = bounds.empty() ? vec3(0) : bounds.center();
-        const vec3 target = view.target.value_or(middle);
-        if (target == *view.eye)
-            return fail_setting("eye", "is the centre of the scene, so a target is needed");
-        choice = {camera_look_at(*view.eye, target, view.up.value_or(vec3(0, 1, 0)), fov, aspect),
+        const vec3 target = view.target ? vec3(*view.target - scene.origin) : middle;
+        if (target == eye)
+            return fail_setting("eye", view.target ? "is too close to the target"
+                                                   : "is the centre of the scene, so a target is "
+                                                     "needed");
+        choice = {camera_look_at(eye, target, view.up.value_or(vec3(0, 1, 0)), fov, aspect),
                   "look-at"};
     } else if (!nodes.empty() || !view.camera.empty()) {
         HM_TRY_ASSIGN(choice, file_camera(view, scene, nodes, world, bounds, aspect));
@@ -105,13 +117,14 @@ Result<CameraChoice> choose_camera(const ViewSettings& view, const Scene& scene,
     return choose_camera(view, scene, world_transforms(scene), bounds, aspect);
 }
 
-NamedValues view_of(const CameraData& c) {
+NamedValues view_of(const CameraData& c, const glm::dvec3& origin) {
     if (c.kind != kCameraPerspective) return {};
     const auto triple = [](vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+    const auto point = [&](vec3 v) { return coordinates_text(v, origin); };
     const vec3 target = c.origin + c.forward * c.focus_distance;
     const float fov = 2.0f * std::atan(c.half_height) * 180.0f / std::numbers::pi_v<float>;
-    NamedValues view = {{"eye", triple(c.origin)},
-                        {"target", triple(target)},
+    NamedValues view = {{"eye", point(c.origin)},
+                        {"target", point(target)},
                         {"up", triple(c.up)},
                         {"fov", fmt::format("{}", fov)}};
     if (c.lens_radius > 0) {

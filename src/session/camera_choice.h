@@ -22,10 +22,11 @@ struct CameraChoice {
 Result<CameraChoice> choose_camera(const ViewSettings& view, const Scene& scene,
                                    const Bounds& bounds, float aspect);
 Result<CameraChoice> choose_camera(const ViewSettings& view, const Scene& scene,
-                                   const std::vector<glm::mat4>& world, const Bounds& bounds,
+                                   const std::vector<glm::dmat4>& world, const Bounds& bounds,
                                    float aspect);
 
-// The view settings that reproduce this camera; empty for an orthographic camera, which has none.
-NamedValues view_of(const CameraData& camera);
+// The view settings that reproduce this camera of a scene with this origin; empty for an
+// orthographic camera, which has none.
+NamedValues view_of(const CameraData& camera, const glm::dvec3& origin);
 
 }  // namespace hm

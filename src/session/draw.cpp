@@ -33,8 +33,7 @@ Keeper make_keeper(const RenderSettings& settings, const KeepSettings& keep, con
                    const PictureSetup& setup, const Renderer& renderer, const DrawHooks& hooks) {
     return Keeper(
         settings, keep, renderer,
-        picture_settings(settings, setup.job, setup.aovs.selection, stage.fingerprint),
-        setup.aovs.names,
+        picture_settings(settings, setup.job, setup.aovs.selection, stage.fingerprint), setup.aovs,
         [&](const Film& film, const RenderCounters& counters, double seconds,
             const std::string& devices) {
             const RenderSummary summary =

@@ -12,6 +12,7 @@ namespace {
 constexpr std::string_view kSetting = "setting.";
 constexpr std::string_view kPicture = "picture.";
 constexpr std::string_view kDevice = "device.";
+constexpr std::string_view kOrigin[] = {"origin.x", "origin.y", "origin.z"};
 
 // Notes with a common prefix, in order.
 std::vector<std::pair<std::string, std::string>> notes_below(const Metadata& notes,
@@ -97,6 +98,9 @@ Metadata to_notes(const FilmRecord& record) {
                       {"names.objects", join_lines(record.names.objects)},
                       {"names.materials", join_lines(record.names.materials)},
                       {"names.assets", join_lines(record.names.assets)}};
+    if (record.origin != glm::dvec3(0))
+        for (int axis = 0; axis < 3; ++axis)
+            notes.emplace_back(kOrigin[axis], fmt::format("{}", record.origin[axis]));
     if (record.frame) notes.emplace_back("frame", fmt::format("{}", *record.frame));
     if (record.alpha) notes.emplace_back("alpha", "true");
     if (record.auto_exposure) notes.emplace_back("auto_exposure", "true");
@@ -127,6 +131,8 @@ Result<FilmRecord> from_notes(const Metadata& notes, const std::string& file) {
     record.half = reader.list("half");
     record.names = {reader.list("names.objects"), reader.list("names.materials"),
                     reader.list("names.assets")};
+    for (int axis = 0; axis < 3 && reader.find(kOrigin[0]); ++axis)
+        reader.read(kOrigin[axis], record.origin[axis]);
     if (reader.find("frame")) reader.read("frame", record.frame.emplace());
     if (!reader.wrong().empty())
         return fail(ErrorKind::invalid, file, "", fmt::format("has no {}", reader.wrong()));

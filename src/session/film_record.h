@@ -28,7 +28,8 @@ struct FilmRecord {
     bool auto_exposure = false;
     std::vector<std::string> half;  // layers of 16 bits in the picture (film/layers.h)
     ExrOptions exr;
-    SurfaceNames names;  // if a cryptomatte is chosen
+    SurfaceNames names;    // if a cryptomatte is chosen
+    glm::dvec3 origin{0};  // Scene::origin, which the position AOV is summed relative to
 };
 
 Metadata to_notes(const FilmRecord& record);

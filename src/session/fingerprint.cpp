@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::string_view kParams = "params";
 
-std::string text_of(vec3 v) {
+template <class Vector>
+std::string text_of(const Vector& v) {
     return fmt::format("{},{},{}", v.x, v.y, v.z);
 }
 
@@ -26,7 +27,8 @@ class Writer {
     void add_if_given(std::string name, const std::optional<T>& value) {
         if (value) add(std::move(name), *value);
     }
-    void add_if_given(std::string name, const std::optional<vec3>& value) {
+    template <class Number>
+    void add_if_given(std::string name, const std::optional<glm::vec<3, Number>>& value) {
         if (value) add(std::move(name), text_of(*value));
     }
     void add_if_given(std::string name, const std::string& value) {

@@ -45,12 +45,17 @@ TEST(Fingerprint, AViewIsGivenAsSettings) {
     camera.up = {0, 1, 0};
     camera.half_height = 1;
     camera.focus_distance = 2;
-    const NamedValues view = view_of(camera);
+    const NamedValues view = view_of(camera, glm::dvec3(0));
     ASSERT_EQ(view.size(), 4u);
     EXPECT_EQ(view[0], (std::pair<std::string, std::string>("eye", "1,2,3")));
     EXPECT_EQ(view[1], (std::pair<std::string, std::string>("target", "1,2,1")));
+    // A far scene's camera is relative to its origin, with more digits than a float has.
+    camera.origin = {0.25f, -2, 3};
+    const NamedValues far = view_of(camera, glm::dvec3(6000000, 0, -4000000));
+    EXPECT_EQ(far[0].second, "6000000.25,-2,-3999997");
+    EXPECT_EQ(far[1].second, "6000000.25,-2,-3999999");
     camera.kind = kCameraOrthographic;
-    EXPECT_TRUE(view_of(camera).empty());
+    EXPECT_TRUE(view_of(camera, glm::dvec3(0)).empty());
 }
 
 }  // namespace

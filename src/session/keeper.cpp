@@ -12,14 +12,15 @@ constexpr double kKeepEvery = 60;  // seconds
 }  // namespace
 
 Keeper::Keeper(const RenderSettings& settings, const KeepSettings& keep, const Renderer& renderer,
-               NamedValues picture, SurfaceNames names, Describe describe, Note warn)
+               NamedValues picture, AovSetup aovs, Describe describe, Note warn)
     : settings_(settings),
       keep_(keep),
       renderer_(renderer),
       describe_(std::move(describe)),
       warn_(std::move(warn)) {
     record_.settings = std::move(picture);
-    record_.names = std::move(names);
+    record_.names = std::move(aovs.names);
+    record_.origin = aovs.origin;
     record_.half = settings.layers.half;
     record_.exr = settings.layers.exr;
     record_.frame = settings.animation.frame;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "session/aovs.h"
 #include "session/checkpoint.h"
 #include "session/passes.h"
 
@@ -20,7 +21,7 @@ class Keeper {
     // `warn` is called for checkpoints that could not be written, which does not end the rendering.
     // The settings are borrowed.
     Keeper(const RenderSettings& settings, const KeepSettings& keep, const Renderer& renderer,
-           NamedValues picture, SurfaceNames names, Describe describe, Note warn);
+           NamedValues picture, AovSetup aovs, Describe describe, Note warn);
 
     // Fills the film and the counters from the checkpoint, if there is one, and checks that the
     // next one can be written.

@@ -38,7 +38,7 @@ Result<PictureSetup> set_up_picture(const RenderSettings& settings, Scene& scene
     HM_TRY_ASSIGN(setup.job, make_job(settings, scene, setup.flat, camera.data, next_pose));
     setup.summary.environment = environment.name;
     setup.summary.camera = camera.name;
-    setup.summary.view = view_of(camera.data);
+    setup.summary.view = view_of(camera.data, scene.origin);
     setup.summary.scene = scene_stats(scene, setup.flat);
     setup.summary.scene_hash = scene.hash;
     return setup;

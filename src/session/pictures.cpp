@@ -17,7 +17,8 @@ FinishedPicture finish_picture(const Film& film, std::uint32_t width, std::uint3
                                      .height = height,
                                      .alpha = record.alpha,
                                      .half = record.half,
-                                     .names = {names.objects, names.materials, names.assets}}),
+                                     .names = {names.objects, names.materials, names.assets},
+                                     .origin = record.origin}),
         .options = {
             .crop = film.crop, .alpha = record.alpha, .tone = record.tone, .exr = record.exr}};
     if (denoiser != nullptr) {

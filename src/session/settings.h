@@ -40,8 +40,9 @@ struct SamplingSettings {
 };
 
 struct ViewSettings {
-    std::string camera;  // name or index; empty: the file's first
-    std::optional<vec3> eye, target, up;
+    std::string camera;                     // name or index; empty: the file's first
+    std::optional<glm::dvec3> eye, target;  // in the file's coordinates
+    std::optional<vec3> up;
     std::optional<float> fov;  // vertical, degrees
     float aperture = 0;        // lens radius, metres
     std::optional<float> focus;

@@ -51,7 +51,7 @@ TEST(AovParity, EveryPlaneAndEveryId) {
     const AovSelection selection = everything(scene, scene.flat);
     Scene next = scene.scene;
     for (Node& node : next.nodes)
-        node.local = glm::translate(glm::mat4(1), vec3(0.2f, 0.1f, 0)) * node.local;
+        node.local = glm::translate(glm::mat4(1), vec3(0.2f, 0.1f, 0)) * glm::mat4(node.local);
     set_next_pose(scene.flat, scene.scene, record_pose(next));
     RenderJob job = make_job(scene.flat, scene.camera);
     job.next_camera = job.camera;

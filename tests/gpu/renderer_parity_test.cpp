@@ -25,10 +25,11 @@ namespace fs = std::filesystem;
 
 // The file's first camera, or one that frames the whole scene.
 CameraData camera_of(const Scene& scene, const Bounds& bounds) {
-    const std::vector<glm::mat4> world = world_transforms(scene);
+    const std::vector<glm::dmat4> world = world_transforms(scene);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
         if (scene.nodes[i].camera != kUnset)
-            return camera_from_node(scene.cameras[std::size_t(scene.nodes[i].camera)], world[i], 1);
+            return camera_from_node(scene.cameras[std::size_t(scene.nodes[i].camera)],
+                                    glm::mat4(world[i]), 1);
     return camera_framing(bounds, 0.8f, 1);
 }
 

@@ -31,7 +31,7 @@ std::vector<Aov> without_variance() {
 std::vector<float> channel(const Film& film, std::string_view layer, std::string_view name) {
     std::vector<std::string> names(100, "name");
     const LayeredImage picture =
-        film_layers(film, {film.crop.x1, film.crop.y1, true, {}, {names, names, names}});
+        film_layers(film, {film.crop.x1, film.crop.y1, true, {}, {names, names, names}, {}});
     const Layer* found = picture.find(layer);
     if (!found || !found->find(name)) {
         ADD_FAILURE() << layer << "." << name << " is not there";

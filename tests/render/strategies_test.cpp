@@ -120,7 +120,7 @@ TEST(Strategies, AgreeOnTheShippedScenes) {
         Diagnostics diagnostics;
         Result<Scene> scene = load_gltf(file, diagnostics);
         ASSERT_TRUE(scene) << scene.error().line();
-        const std::vector<glm::mat4> world = world_transforms(*scene);
+        const std::vector<glm::dmat4> world = world_transforms(*scene);
         Camera lens;
         glm::mat4 place(1);
         for (std::size_t i = 0; i < scene->nodes.size(); ++i)

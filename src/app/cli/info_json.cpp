@@ -88,15 +88,15 @@ void write_totals(JsonWriter& json, const InfoReport& report) {
     json.end_object();
 }
 
-void write_bounds(JsonWriter& json, const Bounds& bounds) {
+void write_bounds(JsonWriter& json, const Bounds& bounds, const glm::dvec3& origin) {
     json.key("bounds");
     if (bounds.empty()) {
         json.null();
         return;
     }
     json.begin_object();
-    write_numbers(json, "min", bounds.low, 3);
-    write_numbers(json, "max", bounds.high, 3);
+    write_numbers(json, "min", origin + glm::dvec3(bounds.low), 3);
+    write_numbers(json, "max", origin + glm::dvec3(bounds.high), 3);
     json.end_object();
 }
 
@@ -210,7 +210,7 @@ std::string info_json(const InfoReport& report) {
     json.key("scene");
     if (report.flat) {
         json.begin_object();
-        write_bounds(json, report.flat->bounds);
+        write_bounds(json, report.flat->bounds, report.scene->origin);
         write_totals(json, report);
         write_nodes(json, *report.scene);
         write_meshes(json, report);

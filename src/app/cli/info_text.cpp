@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "app/cli/info_report.h"
@@ -64,6 +65,20 @@ class Lines {
     std::string text_;
 };
 
+// Two points, in the file's coordinates, with digits that resolve a ten-thousandth of their
+// distance.
+std::string bounds_text(const Bounds& bounds, const glm::dvec3& origin) {
+    const glm::dvec3 low = origin + glm::dvec3(bounds.low);
+    const glm::dvec3 high = origin + glm::dvec3(bounds.high);
+    const glm::dvec3 farthest = glm::max(glm::abs(low), glm::abs(high));
+    const double largest = std::max({farthest.x, farthest.y, farthest.z});
+    const double ratio = std::min(largest / glm::length(high - low), 1e12);
+    const int digits = ratio > 1 ? std::clamp(5 + int(std::log10(ratio)), 6, 17) : 6;
+    return fmt::format("from {:.{}g} {:.{}g} {:.{}g} to {:.{}g} {:.{}g} {:.{}g} metres", low.x,
+                       digits, low.y, digits, low.z, digits, high.x, digits, high.y, digits, high.z,
+                       digits);
+}
+
 std::string vector_text(vec3 v) {
     return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z);
 }
@@ -93,8 +108,7 @@ void describe_totals(Lines& out, const InfoReport& report) {
     if (bounds.empty()) {
         out.line("  nothing");
     } else {
-        out.line(fmt::format("  from {} to {} metres", vector_text(bounds.low),
-                             vector_text(bounds.high)));
+        out.line("  " + bounds_text(bounds, report.scene->origin));
     }
     out.line(fmt::format("  {} in {} of {}", plural(t.drawn_triangles, "triangle"),
                          plural(t.instances, "instance"),

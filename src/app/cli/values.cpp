@@ -78,12 +78,13 @@ Parsed<PixelRect> parse_crop(std::string_view text) {
     return crop;
 }
 
-Parsed<vec3> parse_vector(std::string_view text) {
-    std::array<float, 3> v{};
-    if (!read_list<float>(text, ',', v)) return wrong(text, "three numbers X,Y,Z");
-    for (const float x : v)
-        if (!(std::abs(x) <= kFarthest)) return wrong(text, fmt::format("within {:g}", kFarthest));
-    return vec3(v[0], v[1], v[2]);
+Parsed<glm::dvec3> parse_vector(std::string_view text) {
+    std::array<double, 3> v{};
+    if (!read_list<double>(text, ',', v)) return wrong(text, "three numbers X,Y,Z");
+    for (const double x : v)
+        if (!(std::abs(x) <= double(kFarthest)))
+            return wrong(text, fmt::format("within {:g}", kFarthest));
+    return glm::dvec3(v[0], v[1], v[2]);
 }
 
 Parsed<vec3> parse_color(std::string_view text) {

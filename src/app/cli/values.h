@@ -24,9 +24,9 @@ struct Size {
 // Finite and within [low, high].
 Parsed<float> parse_number(std::string_view text, float low, float high);
 Parsed<std::uint32_t> parse_integer(std::string_view text, std::uint32_t low, std::uint32_t high);
-Parsed<Size> parse_size(std::string_view text);       // "WxH", within image/read.h's limits
-Parsed<PixelRect> parse_crop(std::string_view text);  // "X0,Y0,X1,Y1", not empty
-Parsed<vec3> parse_vector(std::string_view text);     // "X,Y,Z"
+Parsed<Size> parse_size(std::string_view text);          // "WxH", within image/read.h's limits
+Parsed<PixelRect> parse_crop(std::string_view text);     // "X0,Y0,X1,Y1", not empty
+Parsed<glm::dvec3> parse_vector(std::string_view text);  // "X,Y,Z"
 // Linear "R,G,B", not negative, or "#rrggbb" in sRGB.
 Parsed<vec3> parse_color(std::string_view text);
 
