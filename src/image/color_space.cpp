@@ -103,7 +103,8 @@ std::optional<Matrix3> to_rec709(const Chromaticities& from) {
 
 FloatImage convert(FloatImage image, const Matrix3& matrix) {
     for (Rgba<float>& pixel : image.pixels) {
-        const Vector3 converted = multiply(matrix, Vector3{pixel[0], pixel[1], pixel[2]});
+        const Vector3 converted =
+            multiply(matrix, Vector3{double(pixel[0]), double(pixel[1]), double(pixel[2])});
         for (std::size_t c = 0; c < 3; ++c)
             pixel[c] = float(converted[c]);
     }

@@ -13,9 +13,11 @@
 namespace hm {
 namespace {
 
-vec2 uv_of(const Primitive& p, std::uint32_t vertex, std::uint32_t uv_set) {
-    if (uv_set == 0) return p.vertices[vertex].uv0;
-    return p.extras.empty() ? vec2(0) : p.extras[vertex].uv1;
+// Where the texture is looked up. Its transform may rotate or mirror, and the relief with it.
+vec2 uv_of(const Primitive& p, std::uint32_t vertex, const TextureSlot& slot) {
+    vec2 uv = p.vertices[vertex].uv0;
+    if (slot.uv_set != 0) uv = p.extras.empty() ? vec2(0) : p.extras[vertex].uv1;
+    return vec2(dot(slot.uv_row_u, vec3(uv, 1)), dot(slot.uv_row_v, vec3(uv, 1)));
 }
 
 vec3 face_normal(const Primitive& p, uvec3 t) {
@@ -26,16 +28,16 @@ vec3 face_normal(const Primitive& p, uvec3 t) {
     return size > 0 ? vec3(n / size) : vec3(0);
 }
 
-std::vector<vec4> tangents_with_normals(const Primitive& p, std::uint32_t uv_set) {
+std::vector<vec4> tangents_with_normals(const Primitive& p, const TextureSlot& slot) {
     std::vector<SurfacePoint> points;
     points.reserve(p.vertices.size());
     for (std::uint32_t v = 0; v < p.vertices.size(); ++v)
-        points.push_back({p.vertices[v].position, p.vertices[v].normal, uv_of(p, v, uv_set)});
+        points.push_back({p.vertices[v].position, p.vertices[v].normal, uv_of(p, v, slot)});
     return corner_tangents(points, p.triangles);
 }
 
 // Each corner is a separate vertex with its face normal.
-std::vector<vec4> tangents_of_flat_faces(const Primitive& p, std::uint32_t uv_set) {
+std::vector<vec4> tangents_of_flat_faces(const Primitive& p, const TextureSlot& slot) {
     std::vector<SurfacePoint> points;
     std::vector<uvec3> triangles;
     points.reserve(3 * p.triangles.size());
@@ -44,7 +46,7 @@ std::vector<vec4> tangents_of_flat_faces(const Primitive& p, std::uint32_t uv_se
         const auto first = static_cast<std::uint32_t>(points.size());
         const vec3 normal = face_normal(p, t);
         for (const std::uint32_t v : {t.x, t.y, t.z})
-            points.push_back({p.vertices[v].position, normal, uv_of(p, v, uv_set)});
+            points.push_back({p.vertices[v].position, normal, uv_of(p, v, slot)});
         triangles.emplace_back(first, first + 1, first + 2);
     }
     return corner_tangents(points, triangles);
@@ -127,10 +129,10 @@ std::shared_ptr<const Deformation> split_deformation(const Primitive& p,
 
 }  // namespace
 
-std::vector<std::uint32_t> generate_tangents(Primitive& primitive, std::uint32_t uv_set) {
+std::vector<std::uint32_t> generate_tangents(Primitive& primitive, const TextureSlot& slot) {
     const std::vector<vec4> corners = primitive.has_normals
-                                          ? tangents_with_normals(primitive, uv_set)
-                                          : tangents_of_flat_faces(primitive, uv_set);
+                                          ? tangents_with_normals(primitive, slot)
+                                          : tangents_of_flat_faces(primitive, slot);
     primitive.has_tangents = true;
     return split_vertices(primitive, corners);
 }
@@ -138,18 +140,18 @@ std::vector<std::uint32_t> generate_tangents(Primitive& primitive, std::uint32_t
 void prepare_tangents(Scene& scene) {
     struct Work {
         Primitive* primitive;
-        std::uint32_t uv_set;
+        const TextureSlot* slot;
     };
     std::vector<Work> work;
     for (Mesh& mesh : scene.meshes)
         for (Primitive& p : mesh.primitives) {
             if (p.material == kUnset || p.has_tangents) continue;
             const TextureSlot& slot = scene.materials[std::size_t(p.material)].normal_texture;
-            if (slot.image != kUnset) work.push_back({&p, slot.uv_set});
+            if (slot.image != kUnset) work.push_back({&p, &slot});
         }
     tbb::parallel_for(std::size_t(0), work.size(), [&](std::size_t i) {
         Primitive& p = *work[i].primitive;
-        const std::vector<std::uint32_t> new_to_old = generate_tangents(p, work[i].uv_set);
+        const std::vector<std::uint32_t> new_to_old = generate_tangents(p, *work[i].slot);
         if (p.deformation) p.deformation = split_deformation(p, new_to_old);
     });
 }

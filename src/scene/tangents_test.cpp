@@ -34,7 +34,7 @@ TEST(Tangents, VerticesAreSplitWhereTheTextureTurns) {
     for (std::size_t i = 0; i < p.vertices.size(); ++i)
         p.extras.push_back({vec2(float(i)), vec4(1)});
     const Primitive before = p;
-    const std::vector<std::uint32_t> new_to_old = generate_tangents(p, 0);
+    const std::vector<std::uint32_t> new_to_old = generate_tangents(p, {});
     EXPECT_TRUE(p.has_tangents);
     EXPECT_EQ(new_to_old, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 2, 3}));
     ASSERT_EQ(p.vertices.size(), 8u);
@@ -66,7 +66,7 @@ TEST(Tangents, AVertexManyTrianglesNeedDifferentlyHasACopyForEach) {
         p.vertices.push_back(vertex(along + 0.1f * across, vec3(0, 0, 1), vec2(1, 0.1f)));
         p.triangles.emplace_back(0u, first, first + 1);
     }
-    generate_tangents(p, 0);
+    generate_tangents(p, {});
     EXPECT_EQ(p.vertices.size(), 17u + 3u);
     for (std::size_t t = 0; t < 8; ++t) {
         const uvec3 triangle = p.triangles[t];
@@ -89,10 +89,10 @@ TEST(Tangents, FlatFacesUseTheirOwnNormals) {
     flat.has_normals = false;
     for (Vertex& v : flat.vertices)
         v.normal = vec3(0);
-    generate_tangents(p, 0);
+    generate_tangents(p, {});
     EXPECT_EQ(p.vertices.size(), 6u);
     EXPECT_NEAR(p.vertices[2].tangent.x, 1, 1e-6f);
-    generate_tangents(flat, 0);
+    generate_tangents(flat, {});
     EXPECT_EQ(flat.vertices.size(), 8u);
     EXPECT_FALSE(flat.has_normals);
     const float half = std::sqrt(0.5f);
@@ -109,7 +109,7 @@ TEST(Tangents, TheSecondSetOfCoordinatesCounts) {
     Primitive p = mirrored_squares();
     for (const Vertex& v : p.vertices)
         p.extras.push_back({vec2(v.position.y, v.position.x), vec4(1)});
-    generate_tangents(p, 1);
+    generate_tangents(p, {.uv_set = 1});
     EXPECT_EQ(p.vertices.size(), 6u);
     for (const Vertex& v : p.vertices)
         EXPECT_EQ(v.tangent, vec4(0, 1, 0, 1));
@@ -117,7 +117,7 @@ TEST(Tangents, TheSecondSetOfCoordinatesCounts) {
 
 TEST(Tangents, WithoutCoordinatesThereIsADirectionStill) {
     Primitive p = mirrored_squares();
-    generate_tangents(p, 1);
+    generate_tangents(p, {.uv_set = 1});
     EXPECT_EQ(p.vertices.size(), 6u);
     for (const Vertex& v : p.vertices)
         EXPECT_EQ(v.tangent, vec4(1, 0, 0, 1));

@@ -81,12 +81,60 @@ TEST(Materials, NormalMapsLeanRightAndUp) {
                     add_sun(b, sun);
                     float x = 2 * std::round(texel.x * 255) / 255 - 1;
                     float y = 2 * std::round(texel.y * 255) / 255 - 1;
-                    vec3 n(x * turn_u, y * turn_v, std::sqrt(1 - x * x - y * y));
+                    float z = 2 * std::round(texel.z * 255) / 255 - 1;
+                    vec3 n = normalize(vec3(x * turn_u, y * turn_v, z));
                     EXPECT_NEAR(look_at(b, vec3(0.1f, 0.2f, 0), vec3(0, 0, 1)).x, dot(n, sun),
                                 1e-5f)
                         << "u " << turn_u << ", v " << turn_v << ", tangents " << tangents
                         << ", uv set " << uv_set;
                 }
+}
+
+// All three channels count: (1, 0, 1) / sqrt 2 stored short of unit length leans by 45 degrees.
+TEST(Materials, NormalMapsAreNormalizedNotRebuilt) {
+    const vec3 sun = normalize(vec3(1, 0, 1));
+    for (const float length : {0.5f, 0.7f}) {
+        SceneBuilder b;
+        Material m = test::lambertian(vec3(1));
+        const float half = 0.5f + 0.5f * length;
+        m.normal_texture.image = b.image(1, 1, {vec4(half, 0.5f, half, 1)});
+        b.place(b.quad(vec3(-1, -1, 0), vec3(2, 0, 0), vec3(0, 2, 0), b.material(m)));
+        add_sun(b, sun);
+        const vec3 n = normalize(2.0f * round(vec3(half, 0.5f, half) * 255.0f) / 255.0f - 1.0f);
+        EXPECT_NEAR(std::acos(n.z), kPiFloat / 4, 1e-3f);
+        EXPECT_NEAR(look_at(b, vec3(0.1f, 0.2f, 0), vec3(0, 0, 1)).x, dot(n, sun), 1e-5f);
+    }
+}
+
+// Turned by a right angle or mirrored by KHR_texture_transform, the relief turns with the picture.
+TEST(Materials, NormalMapsFollowTheTextureTransform) {
+    const vec3 texel(0.7f, 0.65f, 0.9f), sun = normalize(vec3(0.3f, 0.5f, 1));
+    const vec3 stored = 2.0f * round(texel * 255.0f) / 255.0f - 1.0f;
+    struct Case {
+        vec3 row_u, row_v;
+        vec3 normal;  // in the quad's plane, where u runs along x and v along -y
+    };
+    const Case cases[] = {
+        {{1, 0, 0.3f}, {0, 1, 0.2f}, {stored.x, stored.y, stored.z}},
+        {{-2, 0, 0}, {0, 1, 0}, {-stored.x, stored.y, stored.z}},
+        {{1, 0, 0}, {0, -1, 0}, {stored.x, -stored.y, stored.z}},
+        {{0, 1, 0}, {-1, 0, 0}, {stored.y, -stored.x, stored.z}},
+    };
+    for (const Case& c : cases) {
+        SceneBuilder b;
+        Material m = test::lambertian(vec3(1));
+        m.normal_texture.image = b.image(1, 1, {vec4(texel, 1)});
+        m.normal_texture.uv_row_u = c.row_u;
+        m.normal_texture.uv_row_v = c.row_v;
+        const int mesh = b.quad(vec3(-1, -1, 0), vec3(2, 0, 0), vec3(0, 2, 0), b.material(m));
+        for (Vertex& v : b.scene.meshes[std::size_t(mesh)].primitives[0].vertices)
+            v.uv0 = vec2(v.position.x, -v.position.y);
+        b.place(mesh);
+        add_sun(b, sun);
+        EXPECT_NEAR(look_at(b, vec3(0.1f, 0.2f, 0), vec3(0, 0, 1)).x, dot(normalize(c.normal), sun),
+                    1e-5f)
+            << c.row_u.x << " " << c.row_u.y;
+    }
 }
 
 // A bumpy, asymmetric shell lit from one side; optionally mirrored by its vertices.

@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 struct Agreement {
     std::size_t corners = 0, directions = 0, signs = 0;
 
-    void compare(const Primitive& brought, std::uint32_t uv_set) {
+    void compare(const Primitive& brought, const TextureSlot& slot) {
         Primitive made = brought;
         made.has_tangents = false;
-        generate_tangents(made, uv_set);
+        generate_tangents(made, slot);
         for (std::size_t t = 0; t < made.triangles.size(); ++t)
             for (int i = 0; i < 3; ++i) {
                 const vec4 a = brought.vertices[brought.triangles[t][i]].tangent;
@@ -43,8 +43,7 @@ TEST(TangentFiles, BringWhatWeMake) {
         for (const Mesh& mesh : scene->meshes)
             for (const Primitive& p : mesh.primitives)
                 if (p.has_tangents && p.material != kUnset)
-                    agreement.compare(
-                        p, scene->materials[std::size_t(p.material)].normal_texture.uv_set);
+                    agreement.compare(p, scene->materials[std::size_t(p.material)].normal_texture);
         EXPECT_GT(agreement.corners, 20000u) << name;
         EXPECT_GE(double(agreement.directions), 0.999 * double(agreement.corners)) << name;
         EXPECT_EQ(agreement.signs, agreement.corners) << name;

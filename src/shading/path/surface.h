@@ -46,7 +46,8 @@ HM_FN void load_extras(uint geometry, uint primitive, vec3 weights, HM_OUT(vec2)
     color = e.a.color * weights.x + e.b.color * weights.y + e.c.color * weights.z;
 }
 
-// The normal map's normal in world space. z is rebuilt from x and y; `normal_scale` scales those.
+// The normal map's normal in world space: 2 texel - 1, whose x and y `normal_scale` scales,
+// normalized (glTF 2.0, 3.9.3).
 HM_FN vec3 map_normal(HM_IN(MaterialData) m, HM_IN(InstanceData) instance, HM_IN(Surface) s,
                       vec4 tangent_object) {
     vec3 t = transform_vector(instance.object_to_world,
@@ -60,7 +61,7 @@ HM_FN vec3 map_normal(HM_IN(MaterialData) m, HM_IN(InstanceData) instance, HM_IN
     vec4 texel = read_normal(m, s.uv0, s.uv1);
     float x = 2.0f * texel.x - 1.0f;
     float y = 2.0f * texel.y - 1.0f;
-    float z = sqrt(max(1.0f - x * x - y * y, 0.0f));
+    float z = 2.0f * texel.z - 1.0f;
     vec3 n = t * (x * m.normal_scale) + b * (y * m.normal_scale) + s.ns * max(z, 1e-3f);
     return normalize(n);
 }
