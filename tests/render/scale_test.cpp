@@ -136,6 +136,39 @@ TEST(Scale, AThinGapIsDark) {
             }
 }
 
+// A point light a thousandth of the room's size below a ceiling lights the floor; one as far above
+// it does not shine through. A lamp that lies on the ceiling, to rounding, is not tested: its
+// shadow ray ends at the lamp itself, and the ceiling may be hit before.
+TEST(Scale, ALampNearTheCeilingLightsItsSide) {
+    for_all_floors([](const Floor& floor) {
+        if (floor.how == How::scaled) return;  // as instanced
+        for (const float below : {1e-3f, -1e-3f}) {
+            SceneBuilder b;
+            floor.add(b);
+            Floor ceiling = floor;
+            ceiling.center = floor.center + floor.normal() * (0.5f * floor.size);
+            ceiling.add(b);
+            Light lamp;
+            lamp.kind = kLightPoint;
+            lamp.intensity = floor.size * floor.size;
+            const vec3 at = ceiling.center +
+                            (floor.x() * 0.137f - vec3(0, 0, 0.219f)) * floor.size -
+                            floor.normal() * (below * floor.size);
+            b.light(lamp, glm::translate(glm::mat4(1), at));
+            Studio studio(b.scene);
+            CameraData camera = floor.camera();
+            camera.origin = floor.center + (camera.origin - floor.center) * 0.3f;
+            const test::Picture picture =
+                studio.render(camera, {.width = 16, .height = 16, .samples = 1});
+            std::size_t dark = 0;
+            for (const vec3& p : picture.pixels)
+                dark += p.x == 0 ? 1 : 0;
+            EXPECT_EQ(dark, below < 0 ? picture.pixels.size() : 0)
+                << describe(floor) << ", " << below;
+        }
+    });
+}
+
 // A lamp above a floor with a box on it: there is no absolute length scale, so a scene that is 2^20
 // times larger or smaller gives exactly the same image.
 TEST(Scale, PowersOfTwoGiveTheSamePicture) {
