@@ -1,5 +1,7 @@
 #include "base/text.h"
 
+#include <fmt/format.h>
+
 #include <cstddef>
 
 namespace hm {
@@ -67,6 +69,12 @@ std::string printable(std::string_view text) {
         text.remove_prefix(character.size());
     }
     return out;
+}
+
+std::string excerpt(std::string_view text) {
+    constexpr std::size_t kLongest = 100;
+    if (text.size() <= kLongest) return fmt::format("\"{}\"", text);
+    return fmt::format("\"{}...\"", text.substr(0, kLongest));
 }
 
 std::string joined(const std::vector<std::string>& parts, std::string_view separator) {

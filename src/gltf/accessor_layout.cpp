@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "base/text.h"
 #include "gltf/source.h"
 
 namespace hm::gltf {
@@ -133,7 +134,7 @@ Result<std::vector<float>> read_limit(const Json& item, std::string_view key, El
 
 Result<Accessor> read_accessor(const Json& item, Source& source) {
     Accessor accessor;
-    HM_TRY(item.name());
+    HM_TRY(name_of(item));
     HM_TRY_ASSIGN(accessor.component, read_component_type(item));
     HM_TRY_ASSIGN(accessor.type, read_element_type(item));
     HM_TRY_ASSIGN(accessor.normalized, item.flag("normalized"));

@@ -228,10 +228,10 @@ TEST(Accessor, SharedDataIsBounded) {
     const std::string file = "scene.gltf";
     const std::uint64_t kept = 3 * sizeof(Vertex) + sizeof(uvec3);
     const auto load = [&](std::uint64_t kept_bytes, std::uint64_t decoded_bytes) {
-        simdjson::dom::parser parser;
         Diagnostics diagnostics;
-        const gltf::Json root =
-            gltf::parse_json(parser, std::as_bytes(std::span(text)), file).value().root;
+        const JsonDocument document =
+            gltf::parse_document(std::as_bytes(std::span(text)), file).value();
+        const Json& root = document.root();
         gltf::Source source{file, {}, diagnostics};
         source.budget.kept_bytes = text.size();
         EXPECT_TRUE(gltf::read_buffers(root, source));

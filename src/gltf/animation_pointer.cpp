@@ -6,6 +6,7 @@
 #include <charconv>
 #include <string>
 
+#include "base/text.h"
 #include "scene/material_parameters.h"
 
 namespace hm::gltf {
@@ -86,7 +87,7 @@ Result<bool> PointerReader::leads_somewhere(std::string_view table, std::size_t 
     if (known == tables_.end()) {
         std::vector<Json> items;
         if (table == kLights) {
-            HM_TRY_ASSIGN(const auto extension, root_.extension("KHR_lights_punctual"));
+            HM_TRY_ASSIGN(const auto extension, extension_of(root_, "KHR_lights_punctual"));
             if (extension) {
                 HM_TRY_ASSIGN(items, extension->objects("lights"));
             }
@@ -96,12 +97,13 @@ Result<bool> PointerReader::leads_somewhere(std::string_view table, std::size_t 
         known = tables_.emplace(table, std::move(items)).first;
     }
     // The property itself may be its default, but what it is of has to be there.
-    return owner < known->second.size() &&
-           known->second[owner].leads_to_object(rest.substr(0, rest.rfind('/')));
+    if (owner >= known->second.size()) return false;
+    const auto found = known->second[owner].at(rest.substr(0, rest.rfind('/')));
+    return found && found->type() == JsonType::object;
 }
 
 Result<std::optional<PointedProperty>> PointerReader::read(const Json& target) {
-    HM_TRY_ASSIGN(const auto extension, target.extension("KHR_animation_pointer"));
+    HM_TRY_ASSIGN(const auto extension, extension_of(target, "KHR_animation_pointer"));
     if (!extension) return std::nullopt;
     HM_TRY_ASSIGN(const std::string_view pointer,
                   extension->required("pointer", extension->text("pointer")));

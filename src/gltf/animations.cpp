@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/text.h"
 #include "gltf/accessor.h"
 #include "gltf/animation_pointer.h"
 #include "gltf/budget.h"
@@ -270,7 +271,7 @@ Result<void> AnimationReader::read_channel(const Json& json) {
 }
 
 Result<Animation> AnimationReader::read(const Json& json) {
-    HM_TRY_ASSIGN(animation_.name, json.name());
+    HM_TRY_ASSIGN(animation_.name, name_of(json));
     HM_TRY_ASSIGN(const std::vector<Json> samplers, json.objects("samplers"));
     for (const Json& item : samplers) {
         HM_TRY_ASSIGN(FileSampler sampler, read_sampler(item, source_));

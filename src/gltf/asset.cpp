@@ -7,6 +7,7 @@
 #include <charconv>
 #include <set>
 
+#include "base/text.h"
 #include "scene/material_parameters.h"
 
 namespace hm::gltf {
@@ -44,7 +45,7 @@ Result<std::optional<Version>> read_version(const Json& asset, std::string_view 
 }
 
 // One warning for each, with how many objects have it.
-void warn_of_ignored(const ExtensionUses& uses, const std::vector<std::string_view>& used,
+void warn_of_ignored(const KeyCounts& uses, const std::vector<std::string_view>& used,
                      Source& source) {
     std::set<std::string_view> listed;
     for (std::size_t i = 0; i < used.size(); ++i) {
@@ -87,8 +88,8 @@ Result<void> check_asset(const Json& root) {
     return {};
 }
 
-Result<void> check_extensions(const Document& document, Source& source) {
-    const Json& root = document.root;
+Result<void> check_extensions(const JsonDocument& document, Source& source) {
+    const Json& root = document.root();
     HM_TRY_ASSIGN(const auto required, root.texts("extensionsRequired"));
     std::string missing;
     for (const std::string_view name : required) {
@@ -101,7 +102,7 @@ Result<void> check_extensions(const Document& document, Source& source) {
                          fmt::format("required but not supported: {}", missing));
 
     HM_TRY_ASSIGN(const auto used, root.texts("extensionsUsed"));
-    warn_of_ignored(document.extension_uses, used, source);
+    warn_of_ignored(document.key_counts(), used, source);
     // Exporters forget to list it among those required.
     source.quantized = std::count(used.begin(), used.end(), kQuantization) > 0 ||
                        std::count(required.begin(), required.end(), kQuantization) > 0;

@@ -14,6 +14,6 @@ bool is_supported(std::string_view extension);
 Result<void> check_asset(const Json& root);
 
 // Fails if the file requires an extension that is not supported, warns of those it merely uses.
-Result<void> check_extensions(const Document& document, Source& source);
+Result<void> check_extensions(const JsonDocument& document, Source& source);
 
 }  // namespace hm::gltf

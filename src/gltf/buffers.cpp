@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "gltf/budget.h"
 #include "gltf/source.h"
 #include "gltf/uri.h"
@@ -57,7 +58,7 @@ Result<void> read_buffers(const Json& root, Source& source) {
     std::map<std::string_view, std::span<const std::byte>> read;  // a file named twice is read once
     for (const Json& item : items) {
         Buffer buffer;
-        HM_TRY(item.name());
+        HM_TRY(name_of(item));
         HM_TRY_ASSIGN(buffer.length, item.required("byteLength", item.integer("byteLength")));
         if (buffer.length == 0) return item.invalid("byteLength", "must not be 0");
         HM_TRY_ASSIGN(const auto uri, item.text("uri"));
@@ -85,7 +86,7 @@ Result<void> read_buffer_views(const Json& root, Source& source) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("bufferViews"));
     for (const Json& item : items) {
         BufferView view;
-        HM_TRY(item.name());
+        HM_TRY(name_of(item));
         HM_TRY_ASSIGN(
             view.buffer,
             item.required("buffer", item.index("buffer", source.buffers.size(), "buffers")));

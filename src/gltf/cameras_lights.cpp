@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/text.h"
 #include "scene/choice_names.h"
 
 namespace hm::gltf {
@@ -56,7 +57,7 @@ Result<void> read_orthographic(const Json& json, Source& source, Camera& camera)
 
 Result<Camera> read_camera(const Json& item, Source& source) {
     Camera camera;
-    HM_TRY_ASSIGN(camera.name, item.name());
+    HM_TRY_ASSIGN(camera.name, name_of(item));
     HM_TRY_ASSIGN(const std::string_view type, item.required("type", item.text("type")));
     if (type != "perspective" && type != "orthographic")
         return item.invalid("type", fmt::format("{} is no camera", excerpt(type)));
@@ -86,7 +87,7 @@ Result<void> read_spot(const Json& item, Source& source, Light& light) {
 
 Result<Light> read_light(const Json& item, Source& source) {
     Light light;
-    HM_TRY_ASSIGN(light.name, item.name());
+    HM_TRY_ASSIGN(light.name, name_of(item));
     HM_TRY_ASSIGN(const std::string_view type, item.required("type", item.text("type")));
     const auto kind = find_choice(kLightKindNames, type);
     if (!kind) return item.invalid("type", fmt::format("{} is no light", excerpt(type)));
@@ -125,7 +126,7 @@ Result<std::vector<Camera>> read_cameras(const Json& root, Source& source) {
 
 Result<std::vector<Light>> read_lights(const Json& root, Source& source) {
     std::vector<Light> lights;
-    HM_TRY_ASSIGN(const auto extension, root.extension("KHR_lights_punctual"));
+    HM_TRY_ASSIGN(const auto extension, extension_of(root, "KHR_lights_punctual"));
     if (!extension) return lights;
     HM_TRY_ASSIGN(const std::vector<Json> items, extension->objects("lights"));
     for (const Json& item : items) {

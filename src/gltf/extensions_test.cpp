@@ -218,11 +218,11 @@ TEST(Quantization, IntegersOfMorphTargets) {
 
 TEST(Json, RepeatedKeysAreRefused) {
     expect_refused({
-        {"at the top", {{"x", "1,\"x\":2"}}, "/x", "stands twice"},
+        {"at the top", {{"x", "1,\"x\":2"}}, "/x", "is repeated"},
         {"below",
          {{"extras", R"([0,{"a/b~":{"k":1,"l":2,"k":3}}])"}},
          "/extras/1/a~1b~0/k",
-         "stands twice"},
+         "is repeated"},
         {"a number too large", {{"extras", "1e400"}}, "", "beyond a 64-bit float"},
         {"beyond a float",
          {{"nodes", R"([{"translation":[0,1e39,0]}])"}},

@@ -8,6 +8,7 @@
 #include <functional>
 #include <numeric>
 
+#include "base/text.h"
 #include "gltf/budget.h"
 #include "gltf/uri.h"
 #include "image/codecs.h"
@@ -75,7 +76,7 @@ Result<Encoded> fetch(const Json& item, Source& source) {
     if (const std::string_view format = foreign_format(out.bytes); !format.empty())
         return item.fail(ErrorKind::unsupported, key_of(item),
                          fmt::format("is a {} image; PNG and JPEG are read", format));
-    HM_TRY_ASSIGN(out.name, item.name());
+    HM_TRY_ASSIGN(out.name, name_of(item));
     out.decoded_bytes = decoded_size(out.bytes).value_or(0);
     HM_TRY(take_memory(item, source, out.decoded_bytes));
     return out;

@@ -45,12 +45,11 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     source.budget = make_budget(memory_limit(options), bytes.size());
     HM_TRY(check_memory(source.budget, json_memory(container.json), file, ""));
     source.budget.kept_bytes -= json_memory(container.json);
-    simdjson::dom::parser parser;
     const auto behind_json = bytes.last(
         bytes.size() - std::size_t(container.json.data() + container.json.size() - bytes.data()));
-    HM_TRY_ASSIGN(const Document document,
-                  parse_json(parser, container.json, file, behind_json.size()));
-    const Json& root = document.root;
+    HM_TRY_ASSIGN(const JsonDocument document,
+                  parse_document(container.json, file, behind_json.size()));
+    const Json& root = document.root();
     HM_TRY(check_asset(root));
 
     HM_TRY(check_extensions(document, source));

@@ -44,7 +44,7 @@ TEST(Load, TextThatIsNoDocument) {
         {"empty", "", "is empty"},
         {"white space only", "  \n", "is empty"},
         {"not JSON", "hello", "is not valid JSON"},
-        {"array", "[]", "is no object"},
+        {"array", "[]", "is not an object"},
         {"cut", R"({"asset":{"version":"2.0")", "is not valid JSON"},
         {"trailing comma", R"({"asset":{"version":"2.0"},})", "is not valid JSON"},
         {"two documents", document() + document(), "is not valid JSON"},

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "base/text.h"
 #include "gltf/textures.h"
 #include "scene/choice_names.h"
 #include "scene/material_parameters.h"
@@ -43,7 +44,7 @@ Result<void> read_factor(const Json& owner, const MaterialFactor& factor, Source
 // The object that has a parameter's key, if the material has it.
 Result<std::optional<Json>> find_owner(const Json& json, std::string_view owner) {
     if (owner.empty()) return json;
-    return is_extension(owner) ? json.extension(owner) : json.object(owner);
+    return is_extension(owner) ? extension_of(json, owner) : json.object(owner);
 }
 
 // Calls `read` with each parameter of a list and its owner, where that is present.
@@ -72,7 +73,7 @@ Result<std::uint32_t> read_alpha_mode(const Json& json) {
 Result<Material> read_material(Source& source, const Json& json,
                                const std::vector<Texture>& textures) {
     Material material;
-    HM_TRY_ASSIGN(material.name, json.name());
+    HM_TRY_ASSIGN(material.name, name_of(json));
     HM_TRY(read_each(json, material_factors(), [&](const Json& owner, const MaterialFactor& f) {
         return read_factor(owner, f, source, material);
     }));
@@ -86,7 +87,7 @@ Result<Material> read_material(Source& source, const Json& json,
                      }));
     HM_TRY_ASSIGN(material.alpha_mode, read_alpha_mode(json));
     HM_TRY_ASSIGN(material.double_sided, json.flag("doubleSided"));
-    HM_TRY_ASSIGN(const auto unlit, json.extension("KHR_materials_unlit"));
+    HM_TRY_ASSIGN(const auto unlit, extension_of(json, "KHR_materials_unlit"));
     material.unlit = unlit.has_value();
     return material;
 }

@@ -65,7 +65,7 @@ Result<std::vector<glm::mat4>> make_transforms(const Json& attributes, const Col
 }  // namespace
 
 Result<std::vector<glm::mat4>> read_instances(const Json& node, Source& source) {
-    HM_TRY_ASSIGN(const auto extension, node.extension("EXT_mesh_gpu_instancing"));
+    HM_TRY_ASSIGN(const auto extension, extension_of(node, "EXT_mesh_gpu_instancing"));
     if (!extension) return std::vector<glm::mat4>();
     HM_TRY_ASSIGN(const Json attributes,
                   extension->required("attributes", extension->object("attributes")));

@@ -140,7 +140,7 @@ Result<std::vector<Mesh>> read_meshes(const Json& root, Source& source,
     std::vector<Mesh> meshes;
     for (const Json& item : items) {
         Mesh mesh;
-        HM_TRY_ASSIGN(mesh.name, item.name());
+        HM_TRY_ASSIGN(mesh.name, name_of(item));
         HM_TRY_ASSIGN(const std::vector<Json> primitives, item.objects("primitives"));
         if (primitives.empty()) source.warn(item.pointer(), "a mesh without primitives");
         HM_TRY_ASSIGN(const std::size_t target_count, count_targets(item, primitives));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/text.h"
 #include "gltf/budget.h"
 #include "gltf/mesh_instancing.h"
 #include "gltf/morph.h"
@@ -39,7 +40,7 @@ tl::unexpected<Error> broken(const Source& source, int node, std::string message
 
 // KHR_node_visibility; whether the node's ancestors are visible is another matter.
 Result<bool> read_visible(const Json& item) {
-    HM_TRY_ASSIGN(const auto& extension, item.extension("KHR_node_visibility"));
+    HM_TRY_ASSIGN(const auto& extension, extension_of(item, "KHR_node_visibility"));
     if (!extension || !extension->has("visible")) return true;
     return extension->flag("visible");
 }
@@ -51,7 +52,7 @@ Result<void> read_extensions(const Json& item, Source& source, const Scene& scen
         source.warn(item.pointer(), "instances of no mesh or of a skinned one are not drawn");
         out.instances.clear();
     }
-    HM_TRY_ASSIGN(const auto& lights, item.extension("KHR_lights_punctual"));
+    HM_TRY_ASSIGN(const auto& lights, extension_of(item, "KHR_lights_punctual"));
     if (!lights) return {};
     HM_TRY_ASSIGN(const std::size_t light,
                   lights->required("light", lights->index("light", scene.lights.size(), "lights")));
@@ -62,7 +63,7 @@ Result<void> read_extensions(const Json& item, Source& source, const Scene& scen
 // All but its place in the hierarchy.
 Result<void> read_node(const Json& item, Source& source, std::size_t skin_count, const Scene& scene,
                        Node& out) {
-    HM_TRY_ASSIGN(out.name, item.name());
+    HM_TRY_ASSIGN(out.name, name_of(item));
     HM_TRY(read_transform(item, out));
     HM_TRY_ASSIGN(const auto& mesh, item.index("mesh", scene.meshes.size(), "meshes"));
     HM_TRY_ASSIGN(const auto& skin, item.index("skin", skin_count, "skins"));
@@ -136,7 +137,7 @@ Result<std::size_t> find_scene(const std::vector<Json>& scenes, const Source& so
     const std::string& wanted = source.options.scene;
     std::string known;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        HM_TRY_ASSIGN(const std::string name, scenes[i].name());
+        HM_TRY_ASSIGN(const std::string name, name_of(scenes[i]));
         if (name == wanted) return i;
         known += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, excerpt(name));
     }
@@ -156,7 +157,7 @@ Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
                                               const Hierarchy& nodes) {
     HM_TRY_ASSIGN(const std::vector<Json> scenes, root.objects("scenes"));
     for (const Json& scene : scenes)
-        HM_TRY(scene.name());
+        HM_TRY(name_of(scene));
     HM_TRY_ASSIGN(const auto& named, root.index("scene", scenes.size(), "scenes"));
     std::size_t chosen = named.value_or(0);
     if (!source.options.scene.empty()) {

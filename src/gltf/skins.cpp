@@ -115,7 +115,7 @@ Result<std::vector<Skin>> read_skins(const Json& root, Source& source,
     std::vector<Skin> skins;
     for (const Json& item : items) {
         Skin skin;
-        HM_TRY_ASSIGN(skin.name, item.name());
+        HM_TRY_ASSIGN(skin.name, name_of(item));
         HM_TRY_ASSIGN(skin.joints, read_joints(item, scene_node));
         HM_TRY_ASSIGN(skin.inverse_bind, read_inverse_bind(item, source, skin.joints.size()));
         HM_TRY_ASSIGN(const auto skeleton, item.index("skeleton", scene_node.size(), "nodes"));

@@ -10,8 +10,6 @@
 namespace hm {
 namespace {
 
-using gltf::Json;
-
 Result<std::string> text_of(const Json& json, std::string_view key) {
     HM_TRY_ASSIGN(const auto text, json.text(key));
     return std::string(text.value_or(""));
@@ -45,7 +43,7 @@ Result<std::vector<FileExtension>> read_extensions(const Json& root) {
 Result<std::vector<std::string>> names_of(const std::vector<Json>& items) {
     std::vector<std::string> names;
     for (const Json& item : items) {
-        HM_TRY_ASSIGN(names.emplace_back(), item.name());
+        HM_TRY_ASSIGN(names.emplace_back(), gltf::name_of(item));
     }
     return names;
 }
@@ -63,7 +61,7 @@ Result<void> count_tables(const Json& root, FileCounts& counts) {
         HM_TRY_ASSIGN(const std::vector<Json> items, root.objects(name));
         *count = items.size();
     }
-    HM_TRY_ASSIGN(const auto punctual, root.extension("KHR_lights_punctual"));
+    HM_TRY_ASSIGN(const auto punctual, gltf::extension_of(root, "KHR_lights_punctual"));
     if (punctual) {
         HM_TRY_ASSIGN(const std::vector<Json> lights, punctual->objects("lights"));
         counts.lights = lights.size();
@@ -78,9 +76,8 @@ Result<FileSummary> read_summary(const std::filesystem::path& path) {
     HM_TRY_ASSIGN(const ByteArray bytes, read_file(path));
     Diagnostics unheard;  // load_gltf repeats them
     HM_TRY_ASSIGN(const gltf::Container container, gltf::split_container(bytes, file, unheard));
-    simdjson::dom::parser parser;
-    HM_TRY_ASSIGN(const gltf::Document document, gltf::parse_json(parser, container.json, file));
-    const Json& root = document.root;
+    HM_TRY_ASSIGN(const JsonDocument document, gltf::parse_document(container.json, file));
+    const Json& root = document.root();
 
     FileSummary summary;
     summary.bytes = bytes.size();
@@ -92,7 +89,7 @@ Result<FileSummary> read_summary(const std::filesystem::path& path) {
     HM_TRY_ASSIGN(summary.scenes, names_of(scenes));
     HM_TRY_ASSIGN(const auto chosen, root.index("scene", scenes.size(), "scenes"));
     summary.scene = chosen.value_or(0);
-    HM_TRY_ASSIGN(const auto extension, root.extension("KHR_materials_variants"));
+    HM_TRY_ASSIGN(const auto extension, gltf::extension_of(root, "KHR_materials_variants"));
     if (extension) {
         HM_TRY_ASSIGN(const std::vector<Json> variants, extension->objects("variants"));
         HM_TRY_ASSIGN(summary.variants, names_of(variants));

@@ -42,7 +42,7 @@ Result<std::vector<TextureSlot>> read_samplers(const Json& root) {
     std::vector<TextureSlot> samplers;
     for (const Json& item : items) {
         TextureSlot slot;
-        HM_TRY(item.name());
+        HM_TRY(name_of(item));
         HM_TRY_ASSIGN(slot.wrap_u, read_wrap(item, "wrapS"));
         HM_TRY_ASSIGN(slot.wrap_v, read_wrap(item, "wrapT"));
         HM_TRY_ASSIGN(slot.filter_mode, read_filter(item));
@@ -76,7 +76,7 @@ Result<std::vector<Texture>> read_textures(const Json& root) {
     std::vector<Texture> textures;
     for (const Json& item : items) {
         Texture texture;
-        HM_TRY(item.name());
+        HM_TRY(name_of(item));
         HM_TRY_ASSIGN(const auto sampler, item.index("sampler", samplers.size(), "samplers"));
         if (sampler) texture.slot = samplers[*sampler];
         HM_TRY_ASSIGN(const auto image, item.index("source", images.size(), "images"));
@@ -84,7 +84,7 @@ Result<std::vector<Texture>> read_textures(const Json& root) {
             texture.slot.image = static_cast<int>(*image);
         } else {
             for (const std::string_view name : kImageExtensions) {
-                HM_TRY_ASSIGN(const auto extension, item.extension(name));
+                HM_TRY_ASSIGN(const auto extension, extension_of(item, name));
                 if (extension) texture.extension = name;
             }
         }
@@ -107,7 +107,7 @@ Result<TextureSlot> read_texture_slot(const Json& info, const std::vector<Textur
     if (slot.image == kUnset) source.warn(pointer, "a texture without an image is left out");
 
     HM_TRY_ASSIGN(const auto own_set, info.integer("texCoord"));
-    HM_TRY_ASSIGN(const auto transform, info.extension("KHR_texture_transform"));
+    HM_TRY_ASSIGN(const auto transform, extension_of(info, "KHR_texture_transform"));
     std::uint64_t uv_set = own_set.value_or(0);
     if (transform) {
         HM_TRY(apply_transform(*transform, slot));

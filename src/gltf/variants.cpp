@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "base/text.h"
+
 namespace hm::gltf {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr std::string_view kExtension = "KHR_materials_variants";
 
 Result<void> choose_variant(const Json& root, Source& source) {
     std::vector<Json> variants;
-    HM_TRY_ASSIGN(const auto extension, root.extension(kExtension));
+    HM_TRY_ASSIGN(const auto extension, extension_of(root, kExtension));
     if (extension) {
         if (!extension->has("variants")) return extension->invalid("variants", "is required");
         HM_TRY_ASSIGN(variants, extension->objects("variants"));
@@ -37,7 +39,7 @@ Result<void> choose_variant(const Json& root, Source& source) {
 Result<std::optional<std::size_t>> read_material_index(const Json& primitive, const Source& source,
                                                        std::size_t material_count) {
     HM_TRY_ASSIGN(auto material, primitive.index("material", material_count, "materials"));
-    HM_TRY_ASSIGN(const auto extension, primitive.extension(kExtension));
+    HM_TRY_ASSIGN(const auto extension, extension_of(primitive, kExtension));
     if (!extension) return material;
     if (!extension->has("mappings")) return extension->invalid("mappings", "is required");
     HM_TRY_ASSIGN(const std::vector<Json> mappings, extension->objects("mappings"));

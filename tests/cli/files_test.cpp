@@ -2,7 +2,6 @@
 // renders every scene, material variant and animation: under the sanitizers without a finding,
 // and without them without NaN. Files may be refused for an extension that they require.
 #include <gtest/gtest.h>
-#include <simdjson.h>
 
 #include <cmath>
 #include <fstream>
@@ -14,6 +13,7 @@
 #include "app/cli/info.h"
 #include "app/cli/options.h"
 #include "app/cli/render.h"
+#include "base/json_document.h"
 #include "cli/info_schema.h"
 #include "image/layers.h"
 #include "image/test_images.h"
@@ -23,7 +23,6 @@ namespace hm::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace dom = simdjson::dom;
 using Arguments = std::vector<std::string>;
 
 constexpr int kWidth = 24, kHeight = 18;
@@ -59,23 +58,24 @@ struct Shot {
     std::vector<const char*> pictures = {"picture.exr"};
 };
 
-std::uint64_t count_of(dom::element info, const char* what) {
-    return info["file"]["counts"][what].get_uint64().value();
+std::uint64_t count_of(const Json& info, const char* what) {
+    return info.at("/file/counts").value().integer(what).value().value();
 }
 
 // Everything that `info` says there is to draw.
-std::vector<Shot> shots_of(dom::element info) {
+std::vector<Shot> shots_of(const Json& info) {
     std::vector<Shot> shots = {
         {{"--aov", "all,variance", "-o", "picture.exr", "-o", "picture.png"}}};
     for (std::uint64_t i = 0, scenes = count_of(info, "scenes"); scenes > 1 && i < scenes; ++i)
         shots.push_back({{"--scene", std::to_string(i), "-o", "picture.exr"}});
-    for (const dom::element variant : info["file"]["variants"].get_array())
-        shots.push_back(
-            {{"--variant", std::string(variant.get_string().value()), "-o", "picture.exr"}});
+    const auto variants = info.at("/file").value().texts("variants").value();
+    for (const std::string_view variant : variants)
+        shots.push_back({{"--variant", std::string(variant), "-o", "picture.exr"}});
     std::size_t animation = 0;
-    for (const dom::element one : info["scene"]["animations"].get_array()) {
+    const auto animations = info.at("/scene").value().objects("animations").value();
+    for (const Json& one : animations) {
         // Its beginning, its middle and its end.
-        const double seconds = std::max(one["seconds"].get_double().value(), 0.1);
+        const double seconds = std::max(one.real("seconds").value().value(), 0.1);
         shots.push_back({{"--animation", std::to_string(animation++), "--frames", "0:2", "--fps",
                           std::to_string(2 / seconds), "-o", "frame#.exr"},
                          {"frame0.exr", "frame1.exr", "frame2.exr"}});
@@ -96,8 +96,8 @@ class CommandsOfFiles : public testing::Test {
         }
         EXPECT_TRUE(printed.code == ExitCode::ok || printed.code == ExitCode::warned)
             << printed.error;
-        dom::parser parser;
-        for (const Shot& shot : shots_of(parser.parse(printed.text)))
+        const JsonDocument info = JsonDocument::parse(printed.text, "info").value();
+        for (const Shot& shot : shots_of(info.root()))
             expect_drawn(file, shot);
         return true;
     }

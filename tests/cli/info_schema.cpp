@@ -1,89 +1,94 @@
 #include "cli/info_schema.h"
 
 #include <gtest/gtest.h>
-#include <simdjson.h>
 
+#include <algorithm>
+#include <string_view>
+
+#include "base/files.h"
+#include "base/json_document.h"
 #include "support/asset_files.h"
 
 namespace hm::test {
-
 namespace {
 
-namespace dom = simdjson::dom;
+void expect_matches(const Json& schema, const Json& value);
 
-void expect_matches(dom::element schema, dom::element value, const std::string& pointer);
-
-bool has_type(std::string_view type, dom::element value) {
-    const bool integer = value.is_uint64() || value.is_int64();
-    return type == "object"    ? value.is_object()
-           : type == "array"   ? value.is_array()
-           : type == "string"  ? value.is_string()
-           : type == "boolean" ? value.is_bool()
-           : type == "null"    ? value.is_null()
-           : type == "integer" ? integer
-                               : integer || value.is_double();
+bool has_type(std::string_view name, JsonType type) {
+    return name == "object"    ? type == JsonType::object
+           : name == "array"   ? type == JsonType::array
+           : name == "string"  ? type == JsonType::text
+           : name == "boolean" ? type == JsonType::boolean
+           : name == "null"    ? type == JsonType::null
+           : name == "integer" ? type == JsonType::integer
+                               : type == JsonType::integer || type == JsonType::real;
 }
 
-bool type_matches(dom::element type, dom::element value) {
-    if (type.is_string()) return has_type(type.get_string().value(), value);
-    for (const dom::element one : type.get_array())
-        if (has_type(one.get_string().value(), value)) return true;
-    return false;
+// The schema's "type" is a name or a list of names.
+bool type_matches(const Json& schema, JsonType type) {
+    if (const auto name = schema.text("type")) return !*name || has_type(**name, type);
+    const auto names = schema.texts("type").value();
+    return std::any_of(names.begin(), names.end(),
+                       [&](std::string_view name) { return has_type(name, type); });
 }
 
-void expect_object_matches(dom::element schema, dom::object value, const std::string& pointer) {
-    dom::array required;
-    ASSERT_EQ(schema["required"].get(required), simdjson::SUCCESS) << pointer;
-    for (const dom::element name : required)
-        EXPECT_EQ(value.at_key(name.get_string().value()).error(), simdjson::SUCCESS)
-            << pointer << " lacks " << name;
-    for (const auto& [key, field] : value) {
-        dom::element known;
-        const std::string here = pointer + "/" + std::string(key);
-        ASSERT_EQ(schema["properties"].at_key(key).get(known), simdjson::SUCCESS)
-            << here << " is not in the schema";
-        expect_matches(known, field, here);
+std::optional<Json> member(const Json& object, std::string_view key) {
+    return object.at("/" + pointer_token(key));
+}
+
+void expect_object_matches(const Json& schema, const Json& value) {
+    ASSERT_TRUE(schema.has("required")) << value.pointer();
+    const auto required = schema.texts("required").value();
+    for (const std::string_view name : required)
+        EXPECT_TRUE(value.has(name)) << value.pointer() << " lacks " << name;
+    for (const std::string_view key : value.keys()) {
+        const auto known = schema.at("/properties/" + pointer_token(key));
+        ASSERT_TRUE(known) << value.pointer_of(key) << " is not in the schema";
+        expect_matches(*known, *member(value, key));
     }
 }
 
-void expect_matches(dom::element schema, dom::element value, const std::string& pointer) {
-    dom::element keyword;
-    if (schema["oneOf"].get(keyword) == simdjson::SUCCESS) {
+void expect_array_matches(const Json& schema, const Json& value) {
+    const std::vector<Json> items = value.elements();
+    for (const Json& item : items)
+        expect_matches(member(schema, "items").value(), item);
+    if (const auto least = schema.integer("minItems").value()) {
+        EXPECT_EQ(items.size(), *least) << value.pointer();
+    }
+}
+
+void expect_matches(const Json& schema, const Json& value) {
+    const std::string text = value.compact_text();
+    if (schema.has("oneOf")) {
         // Always null or something.
-        if (!value.is_null()) expect_matches(keyword.at(1).value(), value, pointer);
+        if (value.type() != JsonType::null) expect_matches(schema.at("/oneOf/1").value(), value);
         return;
     }
-    if (schema["const"].get(keyword) == simdjson::SUCCESS) {
-        EXPECT_EQ(simdjson::minify(keyword), simdjson::minify(value)) << pointer;
+    if (const auto constant = member(schema, "const")) {
+        EXPECT_EQ(constant->compact_text(), text) << value.pointer();
     }
-    if (schema["enum"].get(keyword) == simdjson::SUCCESS) {
-        bool known = false;
-        for (const dom::element one : keyword.get_array())
-            known = known || simdjson::minify(one) == simdjson::minify(value);
-        EXPECT_TRUE(known) << pointer << ": " << value;
+    if (const auto choices = member(schema, "enum")) {
+        const std::vector<Json> known = choices->elements();
+        EXPECT_TRUE(std::any_of(known.begin(), known.end(),
+                                [&](const Json& one) { return one.compact_text() == text; }))
+            << value.pointer() << ": " << text;
     }
-    if (schema["type"].get(keyword) == simdjson::SUCCESS) {
-        ASSERT_TRUE(type_matches(keyword, value)) << pointer << ": " << value;
-    }
-    if (value.is_object()) expect_object_matches(schema, value.get_object().value(), pointer);
-    if (!value.is_array()) return;
-    std::size_t count = 0;
-    for (const dom::element item : value.get_array())
-        expect_matches(schema["items"].value(), item, pointer + "/" + std::to_string(count++));
-    if (schema["minItems"].get(keyword) == simdjson::SUCCESS) {
-        EXPECT_EQ(count, keyword.get_uint64().value()) << pointer;
-    }
+    ASSERT_TRUE(type_matches(schema, value.type())) << value.pointer() << ": " << text;
+    if (value.type() == JsonType::object) expect_object_matches(schema, value);
+    if (value.type() == JsonType::array) expect_array_matches(schema, value);
 }
 
 }  // namespace
 
 void expect_fits_schema(const std::string& json) {
-    dom::parser schema_parser, parser;
-    dom::element schema, value;
-    ASSERT_EQ(schema_parser.load((source_folder() / "docs/info.schema.json").string()).get(schema),
-              simdjson::SUCCESS);
-    ASSERT_EQ(parser.parse(json).get(value), simdjson::SUCCESS) << json;
-    expect_matches(schema, value, "");
+    const std::string file = (source_folder() / "docs/info.schema.json").string();
+    const auto bytes = read_file(file);
+    ASSERT_TRUE(bytes);
+    const auto schema = JsonDocument::parse(*bytes, file);
+    const auto value = JsonDocument::parse(json, "info");
+    ASSERT_TRUE(schema) << schema.error().line();
+    ASSERT_TRUE(value) << json;
+    expect_matches(schema->root(), value->root());
 }
 
 }  // namespace hm::test

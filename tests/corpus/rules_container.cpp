@@ -51,8 +51,8 @@ void add_text_rules(std::vector<Case>& cases) {
     add("empty", "is a JSON document", instead(""), refused("", "is empty"));
     add("spaces", "is a JSON document", instead(" \n"), refused("", "is empty"));
     add("text", "is a JSON document", instead("hello"), no_json);
-    add("array", "is an object", instead("[]"), refused("", "its JSON is no object"));
-    add("null", "is an object", instead("null"), refused("", "its JSON is no object"));
+    add("array", "is an object", instead("[]"), refused("", "its JSON is not an object"));
+    add("null", "is an object", instead("null"), refused("", "its JSON is not an object"));
     add(
         "cut", "is a whole document",
         [](std::string text, std::string) {
@@ -87,9 +87,9 @@ void add_text_rules(std::vector<Case>& cases) {
         ignored("RFC 8259, 8.1, lets a reader ignore it"));
     add("utf16", "UTF-8", instead(std::string("\xff\xfe{\0}\0", 6)), refused("", "UTF-16"));
     add("duplicate-key", "keys are unique", replacing("\"scene\":0", R"("scene":0,"scene":0)"),
-        refused("/scene", "stands twice in its object"), kLastKey);
+        refused("/scene", "is repeated in its object"), kLastKey);
     add("duplicate-nested", "keys are unique", replacing("\"yfov\":1", R"("yfov":1,"yfov":2)"),
-        refused("/cameras/0/perspective/yfov", "stands twice in its object"), kLastKey);
+        refused("/cameras/0/perspective/yfov", "is repeated in its object"), kLastKey);
     add("deep", "nesting has a limit",
         replacing("\"scene\":0", "\"scene\":0,\"extras\":" + nested(2000)),
         refused("", "levels deep"), "the specification gives no limit; this loader's is 256");

@@ -3,24 +3,10 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "base/json_document.h"
+
 namespace hm::corpus {
 namespace {
-
-constexpr std::string_view kSpace = " \n\r\t";
-
-void skip_space(std::string_view text, std::size_t& at) {
-    at = std::min(text.find_first_not_of(kSpace, at), text.size());
-}
-
-// A string including its quotes, or the text up to the next separator.
-std::string_view token(std::string_view text, std::size_t& at) {
-    const std::size_t begin = at;
-    if (text[at] == '"')
-        at = text.find('"', at + 1) + 1;
-    else
-        at = std::min(text.find_first_of(",:]} \n\r\t", at), text.size());
-    return text.substr(begin, at - begin);
-}
 
 // Splits off the last token of a JSON pointer.
 std::pair<std::string_view, std::string_view> split(std::string_view pointer) {
@@ -30,36 +16,29 @@ std::pair<std::string_view, std::string_view> split(std::string_view pointer) {
 
 }  // namespace
 
-Tree Tree::parse_value(std::string_view text, std::size_t& at) {
-    skip_space(text, at);
+Tree Tree::from(const Json& value) {
     Tree tree;
-    if (text[at] != '{' && text[at] != '[') {
-        tree.scalar_ = token(text, at);
-        return tree;
+    switch (value.type()) {
+        case JsonType::object:
+            tree.kind_ = Kind::object;
+            for (const std::string_view key : value.keys())
+                tree.members_.emplace_back(key, from(value.at("/" + pointer_token(key)).value()));
+            break;
+        case JsonType::array:
+            tree.kind_ = Kind::array;
+            for (const Json& element : value.elements())
+                tree.members_.emplace_back("", from(element));
+            break;
+        default:
+            tree.scalar_ = value.compact_text();
     }
-    tree.kind_ = text[at] == '{' ? Kind::object : Kind::array;
-    ++at;
-    for (skip_space(text, at); text[at] != '}' && text[at] != ']'; skip_space(text, at)) {
-        if (text[at] == ',') {
-            ++at;
-            continue;
-        }
-        std::string key;
-        if (tree.kind_ == Kind::object) {
-            const std::string_view quoted = token(text, at);
-            key = quoted.substr(1, quoted.size() - 2);
-            skip_space(text, at);
-            ++at;  // the colon
-        }
-        tree.members_.emplace_back(std::move(key), parse_value(text, at));
-    }
-    ++at;
     return tree;
 }
 
 Tree Tree::parse(std::string_view text) {
-    std::size_t at = 0;
-    return parse_value(text, at);
+    const auto document = JsonDocument::parse(text, "tree");
+    if (!document) throw std::logic_error(document.error().line());
+    return from(document->root());
 }
 
 std::string Tree::text() const {
@@ -103,8 +82,10 @@ void Tree::set(std::string_view pointer, std::string_view value) {
     const auto [parent_pointer, key] = split(pointer);
     Tree& parent = find(parent_pointer);
     const std::size_t member = parent.member_of(key);
-    // Parsed, so that inserted values can be edited further.
-    if (value.starts_with('{') || value.starts_with('[')) replacement = parse(value);
+    // Valid values are parsed, so that they can be edited further.
+    if (value.starts_with('{') || value.starts_with('['))
+        if (const auto document = JsonDocument::parse(value, "value"))
+            replacement = from(document->root());
     if (member < parent.members_.size())
         parent.members_[member].second = std::move(replacement);
     else

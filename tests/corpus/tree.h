@@ -1,5 +1,5 @@
-// A mutable JSON tree for the mutations of the corpus. Numbers keep their original text, and any
-// text can be inserted as a value, even invalid JSON.
+// A mutable JSON tree for the mutations of the corpus. Any text can be inserted as a value, even
+// invalid JSON.
 #pragma once
 
 #include <string>
@@ -7,25 +7,27 @@
 #include <utility>
 #include <vector>
 
+#include "base/json.h"
+
 namespace hm::corpus {
 
 class Tree {
   public:
-    // `text` is not validated: it must be well formed, without escapes in keys.
+    // Throws if the text is not valid JSON.
     static Tree parse(std::string_view text);
 
     std::string text() const;
 
     // `pointer` is a JSON pointer without escapes. Its parent must exist; a missing key of an
-    // object is added, and so is an element one past the end of an array. The value is used
-    // verbatim.
+    // object is added, and so is an element one past the end of an array. A scalar
+    // or invalid JSON is used verbatim.
     void set(std::string_view pointer, std::string_view value);
     void remove(std::string_view pointer);
 
   private:
     enum class Kind { scalar, array, object };
 
-    static Tree parse_value(std::string_view text, std::size_t& at);
+    static Tree from(const Json& value);
     Tree& find(std::string_view pointer);
     std::size_t member_of(std::string_view key) const;  // members_.size() if absent
 

@@ -2,12 +2,12 @@
 // The stored means and variances come from make_references.py.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <simdjson.h>
 
 #include <cstdlib>
 #include <filesystem>
 
 #include "base/files.h"
+#include "base/json_document.h"
 #include "cpu/render.h"
 #include "image/read.h"
 #include "image/write.h"
@@ -44,10 +44,12 @@ std::vector<double> read_values(const std::string& name) {
 }
 
 Estimate read_reference(const std::string& name) {
-    simdjson::dom::parser parser;
-    const auto document = parser.load((data_folder() / "references.json").string());
-    const std::int64_t replicates = document["scenes"][name]["replicates"];
-    return {kReferenceWidth, kReferenceHeight, int(replicates), read_values(name),
+    const std::string file = (data_folder() / "references.json").string();
+    const ByteArray bytes = read_file(file).value();
+    const JsonDocument document = JsonDocument::parse(bytes, file).value();
+    const auto replicates =
+        document.root().at("/scenes/" + pointer_token(name)).value().integer("replicates").value();
+    return {kReferenceWidth, kReferenceHeight, int(replicates.value()), read_values(name),
             read_values(name + "_variance")};
 }
 

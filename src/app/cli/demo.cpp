@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "base/files.h"
+#include "base/json_document.h"
 
 namespace hm::cli {
 namespace {
@@ -39,75 +40,18 @@ std::string known_demos(const std::vector<fs::path>& folders) {
     return list.empty() ? "no demo was found" : "there are " + list;
 }
 
-// Just enough of JSON for an object of strings: no nesting, and of the escapes those that stand for
-// themselves.
-class FlagReader {
-  public:
-    FlagReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
-
-    Result<Flags> read() {
-        Flags flags;
-        if (!skip('{')) return broken("'{'");
-        if (skip('}')) return end(std::move(flags));
-        do {
-            HM_TRY_ASSIGN(std::string key, string());
-            if (!skip(':')) return broken("':'");
-            HM_TRY_ASSIGN(std::string value, string());
-            flags.emplace_back(std::move(key), std::move(value));
-        } while (skip(','));
-        if (!skip('}')) return broken("',' or '}'");
-        return end(std::move(flags));
-    }
-
-  private:
-    tl::unexpected<Error> broken(std::string_view expected) const {
-        return fail(ErrorKind::invalid, file_, fmt::format("byte {}", at_),
-                    fmt::format("{} is expected in an object of strings", expected));
-    }
-
-    Result<Flags> end(Flags flags) {
-        skip_space();
-        if (at_ != text_.size()) return broken("the end");
-        return flags;
-    }
-
-    void skip_space() {
-        while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != text_.npos)
-            ++at_;
-    }
-
-    bool skip(char c) {
-        skip_space();
-        if (at_ == text_.size() || text_[at_] != c) return false;
-        ++at_;
-        return true;
-    }
-
-    Result<std::string> string() {
-        if (!skip('"')) return broken("a string");
-        std::string value;
-        for (; at_ < text_.size() && text_[at_] != '"'; ++at_) {
-            if (static_cast<unsigned char>(text_[at_]) < 0x20) return broken("'\"'");
-            if (text_[at_] == '\\') {
-                ++at_;
-                if (at_ == text_.size() || std::string_view("\"\\/").find(text_[at_]) == text_.npos)
-                    return broken("one of the escapes \\\" \\\\ \\/");
-            }
-            value += text_[at_];
-        }
-        if (!skip('"')) return broken("'\"'");
-        return value;
-    }
-
-    std::string_view text_;
-    const std::string& file_;
-    std::size_t at_ = 0;
-};
-
 }  // namespace
 
 Result<Flags> parse_flags(std::string_view json, const std::string& file) {
-    return FlagReader(json, file).read();
+    HM_TRY_ASSIGN(const JsonDocument document, JsonDocument::parse(json, file));
+    const Json& root = document.root();
+    if (root.type() != JsonType::object) return root.invalid("", "expected an object of strings");
+    Flags flags;
+    for (const std::string_view key : root.keys()) {
+        HM_TRY_ASSIGN(const auto value, root.text(key));
+        flags.emplace_back(key, value.value());
+    }
+    return flags;
 }
 
 Result<Demo> find_demo(std::string_view name) {
