@@ -1,4 +1,4 @@
-// Error maps: where two pictures differ.
+// Error maps: the difference of two pictures per pixel.
 #pragma once
 
 #include "image/image.h"
@@ -6,13 +6,13 @@
 
 namespace hm {
 
-// Per pixel, over R, G and B of two pictures of one size: the root of the mean square, and
-// the mean of (a - b)² / (b² + 0.01), `b` being the reference.
+// Per pixel, over R, G and B of two pictures of the same size: the root mean square error, and the
+// mean of (a - b)² / (b² + 0.01). `b` is the reference.
 Plane absolute_error(const FloatImage& a, const FloatImage& b);
 Plane relative_squared_error(const FloatImage& a, const FloatImage& b);
 
-// [0, 1] from black over violet and orange to a light yellow, matplotlib's "magma", in sRGB. Values
-// outside are clamped; NaN is pure green, which magma does not contain.
+// Maps [0, 1] to matplotlib's "magma" colours in sRGB, from black through violet and orange to
+// light yellow. Values outside are clamped; NaN becomes pure green, which magma does not contain.
 Image8 magma(const Plane& plane);
 
 // The values as grey.

@@ -18,7 +18,7 @@ using Color = std::array<float, 3>;
 
 constexpr double kPi = std::numbers::pi;
 
-// sRGB's primaries to XYZ; the rows' sums are the white point.
+// Linear sRGB to XYZ. The sums of the rows are the white point.
 constexpr double kToXyz[3][3] = {
     {10135552.0 / 24577794.0, 8788810.0 / 24577794.0, 4435075.0 / 24577794.0},
     {2613072.0 / 12288897.0, 8788810.0 / 12288897.0, 887015.0 / 12288897.0},
@@ -46,7 +46,7 @@ Color relative_xyz(const Color& rgb) {
     return xyz;
 }
 
-// A linearised CIELAB, in which spatial filters act.
+// Linearised CIELAB, in which the spatial filters are applied.
 Color to_ycxcz(const Color& rgb) {
     const Color r = relative_xyz(rgb);
     return {116.0f * r[1] - 16.0f, 500.0f * (r[0] - r[1]), 200.0f * (r[1] - r[2])};
@@ -64,7 +64,7 @@ float lab_curve(float t) {
                                         : t / (3.0f * kDelta * kDelta) + 4.0f / 29.0f;
 }
 
-// CIELAB with chroma scaled by lightness, after Hunt: colours look less colourful in the dark.
+// CIELAB with chroma scaled by lightness (Hunt effect: dark colours appear less colourful).
 Color to_hunt_lab(const Color& rgb) {
     const Color r = relative_xyz(rgb);
     const float fx = lab_curve(r[0]), fy = lab_curve(r[1]), fz = lab_curve(r[2]);
@@ -73,7 +73,7 @@ Color to_hunt_lab(const Color& rgb) {
             0.01f * lightness * 200.0f * (fy - fz)};
 }
 
-// Abasi et al.'s distance, which serves for large differences too.
+// HyAB distance (Abasi et al.), which also suits large differences.
 float hyab(const Color& a, const Color& b) {
     const float da = a[1] - b[1], db = a[2] - b[2];
     return std::abs(a[0] - b[0]) + std::sqrt(da * da + db * db);
@@ -96,7 +96,7 @@ Color clamped(const Color& c) {
             std::clamp(c[2], 0.0f, 1.0f)};
 }
 
-// One term a sqrt(pi / b) exp(-pi² x² / b) of a contrast sensitivity function, x in degrees.
+// A term a sqrt(pi / b) exp(-pi² x² / b) of a contrast sensitivity function, x in degrees.
 struct Term {
     double a, b;
 };
@@ -110,7 +110,7 @@ Plane blur(const Plane& plane, double sigma, int radius) {
     return filter_columns(filter_rows(plane, kernel), kernel);
 }
 
-// The eye's contrast sensitivity in the three channels of YCxCz: Gaussians in space.
+// Filters the three channels of YCxCz by the eye's contrast sensitivity, using spatial Gaussians.
 void filter_contrast(Planes& planes, double pixels_per_degree) {
     constexpr Term kLightness{1.0, 0.0047}, kRedGreen{1.0, 0.0053};
     constexpr Term kBlueYellow[2] = {{34.1, 0.04}, {13.5, 0.025}};
@@ -118,7 +118,7 @@ void filter_contrast(Planes& planes, double pixels_per_degree) {
     planes[0] = blur(planes[0], sigma_px(kLightness, pixels_per_degree), radius);
     planes[1] = blur(planes[1], sigma_px(kRedGreen, pixels_per_degree), radius);
 
-    // The sum's weights are those of the whole kernels, which blur() has divided by their sums.
+    // blur() normalises each kernel, so its integral is part of the weight of its term.
     double weights[2];
     for (std::size_t i = 0; i < 2; ++i) {
         const double sigma = sigma_px(kBlueYellow[i], pixels_per_degree);
@@ -134,7 +134,7 @@ void filter_contrast(Planes& planes, double pixels_per_degree) {
         planes[2].values[i] = share * wide.values[i] + (1.0f - share) * narrow.values[i];
 }
 
-// Scaled so that the positive values sum to 1 and the negative ones to -1.
+// Scales the kernel so that positive values sum to 1 and negative ones to -1.
 void balance(Kernel& kernel) {
     double positive = 0, negative = 0;
     for (const float k : kernel)
@@ -144,7 +144,7 @@ void balance(Kernel& kernel) {
 }
 
 struct Features {
-    Plane edges, points;  // how strong they are
+    Plane edges, points;  // strengths
 };
 
 Plane magnitude(const Plane& x, const Plane& y) {
@@ -154,8 +154,8 @@ Plane magnitude(const Plane& x, const Plane& y) {
     return out;
 }
 
-// Edges and points are where the first and the second derivatives of a blurred lightness are large;
-// the blur is as wide as the bars that the eye finds best.
+// Edges and points are detected by the first and second derivatives of the blurred lightness. The
+// width of the blur is that of the bars that the eye detects best.
 Features find_features(const Plane& ycxcz_lightness, double pixels_per_degree) {
     constexpr double kWidthDegrees = 0.082;
     const double sigma = 0.5 * kWidthDegrees * pixels_per_degree;
@@ -182,7 +182,7 @@ Features find_features(const Plane& ycxcz_lightness, double pixels_per_degree) {
 
 constexpr float kColorExponent = 0.7f;
 
-// Compresses large differences: four tenths of the largest one already count as 0.95.
+// Compresses large differences: 0.4 of the largest one maps to 0.95.
 float color_error(float distance) {
     static const float largest =
         std::pow(hyab(to_hunt_lab({0, 1, 0}), to_hunt_lab({0, 0, 1})), kColorExponent);
@@ -198,25 +198,25 @@ float feature_error(const Features& reference, const Features& test, std::size_t
     return std::sqrt(std::max(edges, points) * float(1.0 / std::numbers::sqrt2));
 }
 
-struct Seen {
+struct Perceived {
     Features features;
     Planes lab;
 };
 
-// What is left of a picture in the eye.
-Seen see(Planes rgb, double pixels_per_degree) {
+// The picture as perceived: filtered colours and detected features.
+Perceived perceive(Planes rgb, double pixels_per_degree) {
     convert(rgb, [](const Color& c) { return to_ycxcz(clamped(c)); });
-    Seen seen;
-    seen.features = find_features(rgb[0], pixels_per_degree);
+    Perceived perceived;
+    perceived.features = find_features(rgb[0], pixels_per_degree);
     filter_contrast(rgb, pixels_per_degree);
     convert(rgb, [](const Color& c) { return to_hunt_lab(clamped(from_ycxcz(c))); });
-    seen.lab = std::move(rgb);
-    return seen;
+    perceived.lab = std::move(rgb);
+    return perceived;
 }
 
 Plane flip_of_planes(Planes reference, Planes test, double pixels_per_degree) {
-    const Seen a = see(std::move(reference), pixels_per_degree);
-    const Seen b = see(std::move(test), pixels_per_degree);
+    const Perceived a = perceive(std::move(reference), pixels_per_degree);
+    const Perceived b = perceive(std::move(test), pixels_per_degree);
     Plane error(a.lab[0].width, a.lab[0].height);
     const std::size_t width = error.width;
     tbb::parallel_for(std::size_t(0), std::size_t(error.height), [&](std::size_t y) {
@@ -231,8 +231,8 @@ Plane flip_of_planes(Planes reference, Planes test, double pixels_per_degree) {
     return error;
 }
 
-// Narkowicz' fit of the ACES curve as numerator and denominator, with the exposure of 0.6 that it
-// was made for taken out of x.
+// Coefficients of Narkowicz' rational fit of the ACES curve, multiplied by the powers of the
+// exposure 0.6 that the fit assumes.
 struct Aces {
     static constexpr double a = 0.6 * 0.6 * 2.51, b = 0.6 * 0.03, c = 0.0;
     static constexpr double d = 0.6 * 0.6 * 2.43, e = 0.6 * 0.59, f = 0.14;
@@ -248,15 +248,15 @@ Color tone_mapped(const Color& radiance, float scale) {
     return clamped(out);
 }
 
-// The radiance that the curve turns into `shown`.
+// The radiance that the curve maps to `shown`.
 double aces_inverse(double shown) {
     const double a = Aces::a - shown * Aces::d, b = Aces::b - shown * Aces::e;
     const double c = Aces::c - shown * Aces::f;
     return (-b + std::sqrt(b * b - 4 * a * c)) / (2 * a);
 }
 
-// From the exposure that leaves the brightest pixel just below saturation to the one that does so
-// with the median.
+// The range starts at the exposure that maps the brightest pixel to just below saturation and stops
+// at the one that does so for the median.
 void choose_exposures(const Planes& reference, HdrFlip& result) {
     constexpr double kNearlySaturated = 0.85;
     std::vector<float> luminances;
@@ -268,7 +268,7 @@ void choose_exposures(const Planes& reference, HdrFlip& result) {
     std::nth_element(luminances.begin(), middle, luminances.end());
     const double median = double(*middle);
     const double brightest = double(*std::max_element(middle, luminances.end()));
-    // Keeps the exposures of a black reference finite: the step from 1 to the next float.
+    // Keeps the exposures of a black reference finite.
     constexpr double kFloor = double(std::numeric_limits<float>::epsilon());
     const double level = aces_inverse(kNearlySaturated);
     result.start_exposure = std::log2(level / std::max(brightest, kFloor));

@@ -1,4 +1,5 @@
-// What FLIP must be by its definition; tests/flip compares it with the published package.
+// Properties of FLIP that follow from its definition. tests/flip compares it with the published
+// package.
 #include "compare/flip.h"
 
 #include <gtest/gtest.h>
@@ -27,10 +28,10 @@ TEST(Flip, EqualPicturesHaveNoError) {
     EXPECT_EQ(mean(hdr_flip(image, image).error), 0.0);
 }
 
-// Without structure only the colours' distance is left. Black and white are 100 apart in lightness;
-// green and blue are as far apart as FLIP goes.
+// Flat pictures have no features, so only the distance of the colours counts. Black and white
+// differ by 100 in lightness; green and blue have the largest possible distance.
 TEST(Flip, DistancesOfFlatColors) {
-    const double green_blue = std::pow(203.301655, 0.7);  // their HyAB, worked out by hand
+    const double green_blue = std::pow(203.301655, 0.7);  // their HyAB distance, computed by hand
     const double black_white = std::pow(100.0, 0.7);
     const double knee = 0.4 * green_blue;
     ASSERT_GT(black_white, knee);
@@ -39,17 +40,17 @@ TEST(Flip, DistancesOfFlatColors) {
     EXPECT_NEAR(mean(ldr_flip(filled(0, 1, 0), filled(0, 0, 1))), 1.0, 1e-5);
 }
 
-TEST(Flip, WhatADisplayCannotShowDoesNotCount) {
+TEST(Flip, LdrClampsToTheDisplayRange) {
     EXPECT_EQ(mean(ldr_flip(filled(1, 1, 1), filled(7, 2, 1))), 0.0);
     EXPECT_GT(mean(hdr_flip(filled(1, 1, 1), filled(7, 2, 1)).error), 0.1);
 }
 
 TEST(Flip, ExposuresFollowTheReference) {
-    // The brightest and the median pixel are the same: one exposure, looked at twice.
+    // The brightest and the median pixel are equal: the same exposure is compared twice.
     const HdrFlip one = hdr_flip(filled(0.5f, 0.5f, 0.5f), filled(3, 3, 3));
     EXPECT_EQ(one.exposures, 2u);
     EXPECT_DOUBLE_EQ(one.start_exposure, one.stop_exposure);
-    // Twice the radiance asks for one stop less.
+    // Twice the radiance needs one stop less.
     const HdrFlip twice = hdr_flip(filled(1, 1, 1), filled(3, 3, 3));
     EXPECT_NEAR(twice.start_exposure, one.start_exposure - 1, 1e-6);
     FloatImage bright = filled(0.5f, 0.5f, 0.5f);
@@ -57,7 +58,7 @@ TEST(Flip, ExposuresFollowTheReference) {
     const HdrFlip many = hdr_flip(bright, bright);
     EXPECT_NEAR(many.stop_exposure - many.start_exposure, 6, 1e-5);
     EXPECT_NEAR(many.stop_exposure, one.stop_exposure, 1e-6);
-    // A black reference is no reason to divide by zero.
+    // A black reference must not cause a division by zero.
     const HdrFlip black = hdr_flip(filled(0, 0, 0), filled(1, 1, 1));
     EXPECT_TRUE(std::isfinite(black.start_exposure));
     EXPECT_GT(mean(black.error), 0.9);
@@ -69,7 +70,7 @@ TEST(Flip, SmallPicturesWork) {
     FloatImage dot = filled(0, 0, 0);
     dot.pixels[10 * 24 + 12][1] = 1.0f;
     const Plane error = ldr_flip(filled(0, 0, 0), dot);
-    // The eye blurs: neighbours are seen to differ too, less than the pixel itself.
+    // The contrast filter blurs: neighbours differ too, but less than the pixel itself.
     const float there = error.values[10 * 24 + 12], beside = error.values[10 * 24 + 14];
     EXPECT_GT(there, beside);
     EXPECT_GT(beside, 0.01f);

@@ -7,7 +7,7 @@
 
 namespace hm {
 
-// Added to the squared reference in relative errors, so that they stay finite where it is black.
+// Added to the squared reference in relative errors, which keeps them finite where it is black.
 inline constexpr double kRelativeFloor = 1e-2;
 
 struct ImageError {
@@ -17,13 +17,13 @@ struct ImageError {
     double max_abs = 0.0;
 };
 
-// Value by value; `b` is the reference, as long as `a`. A NaN in either makes every number NaN.
+// `b` is the reference and has the size of `a`. A NaN in either makes every result NaN.
 ImageError compare_values(std::span<const float> a, std::span<const float> b);
 
 // Over R, G and B of two pictures of the same size.
 ImageError compare_images(const FloatImage& a, const FloatImage& b);
 
-// Peak signal-to-noise ratio in decibels of values whose largest is 1; infinite where mse is 0.
+// Peak signal-to-noise ratio in decibels for a peak of 1; infinite if mse is 0.
 double psnr(double mse);
 
 }  // namespace hm

@@ -28,7 +28,7 @@ TEST(CompareImages, KnownNumbers) {
     EXPECT_DOUBLE_EQ(compare_images(b, a).relative_mse, (1.0 / 4.01 + 9.0 / 0.01) / 6.0);
 }
 
-TEST(CompareImages, NanIsNotLost) {
+TEST(CompareImages, NanIsReported) {
     FloatImage a(2, 1);
     const FloatImage b = a;
     a.pixels[0][1] = std::nanf("");

@@ -31,7 +31,7 @@ std::optional<double> ssim(const Plane& a, const Plane& b) {
     const Plane ab = window_means(product(a, b));
 
     double sum = 0;
-    // Windows that reach over the edge do not count.
+    // Windows that cross the border are excluded.
     for (std::size_t y = kRadius; y < a.height - kRadius; ++y)
         for (std::size_t x = kRadius; x < a.width - kRadius; ++x) {
             const std::size_t i = y * a.width + x;

@@ -19,18 +19,18 @@ TEST(Ssim, ClosedForms) {
     for (std::size_t i = 0; i < stripes.values.size(); ++i)
         stripes.values[i] = 0.5f + 0.25f * float(std::sin(double(i % 16) + 0.3 * double(i / 16)));
     EXPECT_NEAR(*ssim(stripes, stripes), 1.0, 1e-12);
-    // Constants have no variance: only the term of the means is left.
+    // Constants have no variance, so only the luminance term is left.
     EXPECT_NEAR(*ssim(constant(0.5f), constant(0.25f)),
                 (2 * 0.5 * 0.25 + 1e-4) / (0.25 + 0.0625 + 1e-4), 1e-5);
-    // Against its own negative about the mean, the covariance is the variance with a minus.
+    // With values mirrored about the mean, the covariance is minus the variance.
     Plane negative = stripes;
     for (float& v : negative.values)
         v = 1.0f - v;
     EXPECT_LT(*ssim(stripes, negative), -0.8);
 }
 
-// By summing the definition's windows one by one.
-TEST(Ssim, WindowsOfTheDefinition) {
+// Against a direct evaluation of the definition.
+TEST(Ssim, MatchesTheDefinition) {
     Plane a(12, 11), b(12, 11);
     for (std::size_t i = 0; i < a.values.size(); ++i) {
         a.values[i] = float(i * 7919 % 101) / 100.0f;

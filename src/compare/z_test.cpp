@@ -23,7 +23,7 @@ struct Sums {
         variance += more.variance;
     }
     double z() const {
-        // What rounding to float alone may do; else two equal constants could differ infinitely.
+        // Allows for float rounding; otherwise z could be infinite for equal constants.
         const double rounding = 1e-6 * (std::abs(a) + std::abs(b));
         const double difference = a - b, sigma = std::sqrt(variance + rounding * rounding);
         if (difference == 0) return 0;
@@ -32,7 +32,7 @@ struct Sums {
     }
 };
 
-// The z that a standard normal number exceeds in size with probability p.
+// The z that the absolute value of a standard normal variable exceeds with probability p.
 double two_sided_quantile(double p) {
     double low = 0, high = 40;
     for (int i = 0; i < 100; ++i) {

@@ -33,7 +33,7 @@ FloatImage noisy(float mean, float sigma, unsigned seed) {
     return image;
 }
 
-TEST(ZTest, NoiseOfTheStatedVarianceAgrees) {
+TEST(ZTest, NoiseOfTheGivenVarianceAgrees) {
     const FloatImage variance = constant(0.01f);
     for (unsigned seed = 0; seed < 20; ++seed) {
         const ZTest test =
@@ -43,16 +43,16 @@ TEST(ZTest, NoiseOfTheStatedVarianceAgrees) {
     }
 }
 
-TEST(ZTest, DifferencesAreSeen) {
+TEST(ZTest, DifferencesAreDetected) {
     const FloatImage variance = constant(0.01f);
     const FloatImage a = noisy(1, 0.1f, 1);
-    // 960 pixels: the mean of the difference is known to 0.1 · sqrt(2 / 960) = 0.0046.
+    // 960 pixels: the standard error of the mean difference is 0.1 · sqrt(2 / 960) = 0.0046.
     const ZTest brighter = z_test(noisy(1.05f, 0.1f, 2), variance, a, variance);
     EXPECT_FALSE(brighter.agree());
     EXPECT_NEAR(brighter.whole[0], 0.05 / (0.1 * std::sqrt(2.0 / 960)), 4);
-    // More noise than stated.
+    // More noise than the variance says.
     EXPECT_FALSE(z_test(noisy(1, 0.3f, 2), variance, a, variance).agree());
-    // One block.
+    // A difference in one block only.
     FloatImage spot = noisy(1, 0.1f, 3);
     for (std::size_t y = 8; y < 16; ++y)
         for (std::size_t x = 8; x < 16; ++x)
@@ -68,13 +68,13 @@ TEST(ZTest, ThresholdIsTheNormalQuantile) {
     EXPECT_NEAR(std::erfc(test.threshold / std::sqrt(2.0)) * 48, kZTestLevel, 1e-9);
 }
 
-TEST(ZTest, WithoutVarianceOnlyRoundingMayDiffer) {
+TEST(ZTest, RoundingIsAllowedWithoutVariance) {
     const FloatImage zero = constant(0);
     EXPECT_TRUE(z_test(constant(1), zero, constant(std::nextafter(1.0f, 2.0f)), zero).agree());
     EXPECT_FALSE(z_test(constant(1), zero, constant(1.001f), zero).agree());
 }
 
-TEST(ZTest, WhatIsNotFiniteDoesNotCount) {
+TEST(ZTest, NonFinitePixelsAreExcluded) {
     const FloatImage variance = constant(0.01f);
     FloatImage a = noisy(1, 0.1f, 1);
     a.pixels[5][0] = std::nanf("");

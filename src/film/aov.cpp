@@ -12,7 +12,7 @@ namespace {
 
 using enum AovValue;
 
-// Layers are named as Arnold and Nuke have them (docs/aovs.md).
+// Layer names follow Arnold and Nuke (docs/aovs.md).
 constexpr std::array kAovs = {
     AovInfo{Aov::albedo, "albedo", "albedo", "RGB", mean, kPlaneAlbedo, true},
     AovInfo{Aov::metallic, "metallic", "metallic", "Y", mean, kPlaneMetallic, true},

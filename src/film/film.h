@@ -1,6 +1,6 @@
-// What renderers hand their samples to: sums per pixel, and the picture they make. Sums, never
-// averages, so that a film can be stored, gone on with, and joined with others. All of its data
-// are `sums`, `planes` and `ids`.
+// The film accumulates samples: it holds sums per pixel and resolves them to a picture. It stores
+// sums, not averages, so that it can be saved, continued and merged with other films. All pixel
+// data are in `sums`, `planes` and `ids`.
 #pragma once
 
 #include <cstdint>
@@ -21,44 +21,44 @@ struct PixelRect {
     bool operator==(const PixelRect&) const = default;
 };
 
-// One of the planes that shading/path/aov_planes.h lists.
+// One of the planes listed in shading/path/aov_planes.h.
 struct FilmPlane {
     std::uint32_t plane;    // kPlane*
     std::string_view name;  // unique within a film
-    std::uint32_t floats;   // per pixel, next to each other
+    std::uint32_t floats;   // per pixel, contiguous
     PlaneMerge merge;
     std::vector<float> values;  // rows of crop.width() pixels
 };
 
-// How many of a pixel's samples hit one surface. `id` numbers the geometries of all instances
-// (scene/surface_names.h): object, material and asset follow from it.
+// The number of samples of a pixel that hit one surface. `id` numbers the geometries of all
+// instances (scene/surface_names.h); it determines object, material and asset.
 struct IdCount {
     std::uint32_t id;
     float count;
 };
 
-// Ordered by id, so that equal pixels have equal lists whatever came first.
+// Sorted by id, so that the list does not depend on the order of the samples.
 using IdList = std::vector<IdCount>;
 void add_id(IdList& list, std::uint32_t id, float count);
 
 struct Film {
     PixelRect crop;
-    // A pixel holds samples first_sample, first_sample + 1, ... as many as its weight says.
+    // A pixel holds samples first_sample, first_sample + 1, ...; its weight is their number.
     std::uint32_t first_sample = 0;
     AovSelection selection;
     std::vector<PixelSum> sums;     // rows of crop.width()
-    std::vector<FilmPlane> planes;  // what `selection` needs, in the order of their numbers
-    std::vector<IdList> ids;        // one per pixel where a cryptomatte is chosen, else empty
+    std::vector<FilmPlane> planes;  // required by `selection`, sorted by number
+    std::vector<IdList> ids;        // one per pixel if a cryptomatte is selected, else empty
 
     explicit Film(PixelRect rect, AovSelection chosen = {});
 
-    // Null where the selection does not need it.
+    // Null if the selection does not need the plane.
     const FilmPlane* find_plane(std::uint32_t plane) const;
     FilmPlane* find_plane(std::uint32_t plane);
 
     // Premultiplied; a pixel without samples is black and transparent.
     FloatImage resolve() const;
-    // Mean luminance that clamping took from a pixel, and the mean that is left.
+    // Means over pixels of the luminance that clamping removed, and of the luminance that is left.
     double removed_luminance() const;
     double mean_luminance() const;
     double mean_samples() const;
@@ -66,9 +66,9 @@ struct Film {
     std::uint32_t most_samples() const;
 };
 
-// Adds the samples of `part`, which has others of the same picture: same crop and selection, no
-// sample twice. In whatever order parts are added, the result is the same to float rounding, and
-// in the end, when no sample is missing in between, a film as any other.
+// Adds the samples of `part`, a film of the same picture with the same crop and selection and with
+// different samples. The result does not depend on the order of the parts, except for float
+// rounding. It is an ordinary film once no sample is missing in between.
 void merge_film(Film& film, const Film& part);
 
 }  // namespace hm

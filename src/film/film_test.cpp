@@ -1,6 +1,6 @@
-// The film's algebra: what a selection makes it hold, and that films of parts of the samples join
-// in any order to the film of all of them. Values are small multiples of a power of two, which
-// floats add without rounding, so that the order shows nowhere and equality is exact.
+// The planes that a selection requires, and merging: films of parts of the samples give the film of
+// all samples in any order. Values are small multiples of a power of two, which floats add without
+// rounding, so that equality is exact.
 #include "film/film.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ AovSelection everything() {
     return s;
 }
 
-// One sample of one pixel, from its number alone: a third of the samples hit nothing.
+// Adds one sample, a function of pixel and index. A third of the samples hit nothing.
 void add_test_sample(Film& film, std::size_t pixel, std::uint32_t index) {
     const auto value = [&](std::uint32_t k) {
         return float(hash_combine(hash_combine(std::uint32_t(pixel), index), k) % 64u) * 0.25f;
@@ -71,7 +71,7 @@ void expect_equal(const Film& a, const Film& b) {
     }
 }
 
-TEST(Film, HoldsWhatIsChosen) {
+TEST(Film, PlanesFollowTheSelection) {
     const Film plain({0, 0, 4, 4});
     EXPECT_TRUE(plain.planes.empty());
     EXPECT_TRUE(plain.ids.empty());
@@ -97,7 +97,7 @@ TEST(Film, HoldsWhatIsChosen) {
     EXPECT_EQ(Film(kCrop, independent).find_plane(kPlaneSquares)->floats, 3u);
 }
 
-TEST(Film, PartsJoinInAnyOrder) {
+TEST(Film, PartsMergeInAnyOrder) {
     const Film whole = film_of(0, 24);
     const std::vector<Film> parts = {film_of(0, 5), film_of(5, 6), film_of(6, 17), film_of(17, 24)};
     std::vector<std::size_t> order(parts.size());
@@ -110,7 +110,7 @@ TEST(Film, PartsJoinInAnyOrder) {
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(Film, GroupsOfPartsJoinAlike) {
+TEST(Film, MergingIsAssociative) {
     Film left = film_of(0, 8), right = film_of(8, 16);
     const Film last = film_of(16, 24);
     merge_film(right, last);
@@ -127,7 +127,7 @@ TEST(Film, EmptyPartsChangeNothing) {
 TEST(Aov, NamesAreParsed) {
     EXPECT_EQ(parse_aovs("all,variance")->size(), all_aovs().size());
     EXPECT_EQ(parse_aovs("variance,all"), parse_aovs("all,variance"));
-    // Whoever asks for all gets the beauty that there is without any.
+    // "all" leaves the beauty unchanged.
     AovSelection all{*parse_aovs("all"), {}, false};
     EXPECT_EQ(all.aovs.size() + 1, all_aovs().size());
     EXPECT_FALSE(all.has(Aov::variance));

@@ -28,7 +28,7 @@ std::string group_key(std::size_t number) {
     return film_key(fmt::format("light_group.{}", number));
 }
 
-// Values that lie `stride` apart, beginning at `at`.
+// Every `stride`-th value, starting at `at`.
 LayerChannel channel_of(std::string name, std::span<const float> values, std::size_t at,
                         std::size_t stride) {
     LayerChannel channel{std::move(name), {}};
@@ -50,8 +50,8 @@ std::string id_layer(std::size_t rank) {
     return fmt::format("ids.{}", rank);
 }
 
-// The n-th entry of each pixel's list. Ids are integers that a float could round: their bits are
-// stored.
+// Entry number `rank` of each pixel's list. Ids are stored as bit patterns, because a float cannot
+// represent every 32-bit integer.
 Layer layer_of_ids(const std::vector<IdList>& ids, std::size_t rank) {
     Layer layer{id_layer(rank), {{"id", {}}, {"count", {}}}};
     for (const IdList& list : ids) {
@@ -82,7 +82,7 @@ std::vector<Layer> layers_of(const Film& film) {
     return layers;
 }
 
-// What is needed to make the film again, beside its layers.
+// The metadata needed to restore the film.
 Metadata describe(const Film& film) {
     Metadata text = {{film_key("version"), std::string(kVersion)},
                      {film_key("first_sample"), fmt::format("{}", film.first_sample)}};
@@ -130,7 +130,7 @@ Result<AovSelection> selection_of(const LayeredImage& picture, const std::filesy
     AovSelection selection;
     if (const std::string* names = picture.find_metadata(film_key("aovs"))) {
         auto aovs = parse_aovs(*names);
-        if (!aovs) return refuse(path, fmt::format("has AOVs that are unknown: {}", aovs.error()));
+        if (!aovs) return refuse(path, fmt::format("has unknown AOVs: {}", aovs.error()));
         selection.aovs = std::move(*aovs);
     }
     selection.sample_variance = picture.find_metadata(film_key("sample_variance")) != nullptr;
@@ -139,7 +139,7 @@ Result<AovSelection> selection_of(const LayeredImage& picture, const std::filesy
     return selection;
 }
 
-// Fills every `stride`-th of the values from a channel.
+// Copies a channel to every `stride`-th value, starting at `at`.
 bool fill(std::span<float> values, std::size_t at, std::size_t stride, const Layer* layer,
           std::string_view name) {
     const LayerChannel* channel = layer ? layer->find(name) : nullptr;
@@ -174,7 +174,7 @@ Result<void> fill_film(Film& film, const LayeredImage& picture, const std::files
                       fmt::format("{}", c)))
                 return damaged(path,
                                fmt::format("channel {}.{} is missing", plane_layer(plane), c));
-    if (!fill_ids(film.ids, picture)) return damaged(path, "a channel of ids is missing");
+    if (!fill_ids(film.ids, picture)) return damaged(path, "an id or count channel is missing");
     return {};
 }
 
@@ -201,7 +201,7 @@ Result<StoredFilm> read_film(const std::filesystem::path& path) {
     HM_TRY_ASSIGN(const LayeredImage picture, read_layers(path));
     const std::string* version = picture.find_metadata(film_key("version"));
     if (version == nullptr)
-        return refuse(path, "is a picture, neither a checkpoint nor a part of a rendering");
+        return refuse(path, "is a picture, not a checkpoint or a part of a rendering");
     if (*version != kVersion)
         return refuse(
             path,
@@ -211,7 +211,7 @@ Result<StoredFilm> read_film(const std::filesystem::path& path) {
     const PictureWindow& whole = picture.display;
     if (data.x0 < 0 || data.y0 < 0 || whole.x0 != 0 || whole.y0 != 0 || data.x1 > whole.x1 ||
         data.y1 > whole.y1)
-        return damaged(path, "its windows do not fit");
+        return damaged(path, "the data window does not fit into the display window");
     HM_TRY_ASSIGN(AovSelection selection, selection_of(picture, path));
     StoredFilm stored{Film({std::uint32_t(data.x0), std::uint32_t(data.y0), std::uint32_t(data.x1),
                             std::uint32_t(data.y1)},
@@ -221,13 +221,13 @@ Result<StoredFilm> read_film(const std::filesystem::path& path) {
     if (first == nullptr ||
         std::from_chars(first->data(), first->data() + first->size(), stored.film.first_sample)
                 .ptr != first->data() + first->size())
-        return damaged(path, "its first sample is not known");
+        return damaged(path, "the attribute film.first_sample is missing or invalid");
     HM_TRY(fill_film(stored.film, picture, path));
     for (const auto& note : picture.metadata)
         if (!note.first.starts_with(kFilmPrefix)) stored.label.notes.push_back(note);
     const std::string* sum = picture.find_metadata(film_key("checksum"));
     if (sum == nullptr || *sum != checksum(stored.film, stored.label))
-        return damaged(path, "its checksum is wrong");
+        return damaged(path, "the checksum does not match");
     return stored;
 }
 

@@ -1,6 +1,6 @@
-// A film in a file, to go on with or to join with others: sums and not averages, every id that a
-// pixel saw, nothing rounded. Checkpoints and parts are such files. They are OpenEXR, with a
-// checksum; docs/checkpoints.md lists layers and attributes.
+// Stores a film in a file, so that it can be continued or merged with others. The file holds sums
+// rather than averages and every id that a pixel has seen, all without rounding. Checkpoints and
+// parts are such files: OpenEXR with a checksum. docs/checkpoints.md lists layers and attributes.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 namespace hm {
 
 struct FilmLabel {
-    std::uint32_t width = 0, height = 0;  // of the whole picture, which the film may be a crop of
-    Metadata notes;                       // what its writer has to say, by name
+    std::uint32_t width = 0, height = 0;  // of the whole picture; the film may be a crop
+    Metadata notes;                       // the writer's own key-value pairs
 };
 
 struct StoredFilm {
@@ -22,17 +22,17 @@ struct StoredFilm {
     FilmLabel label;
 };
 
-// Notes have names of printable ASCII without blanks, none twice and none that begins with
-// kFilmPrefix. A note without text is left out.
+// Names of notes are unique, consist of printable ASCII without blanks, and do not begin with
+// kFilmPrefix. Notes with empty text are omitted.
 inline constexpr std::string_view kFilmPrefix = "film.";
 Result<void> write_film(const std::filesystem::path& path, const Film& film, const FilmLabel& label,
                         ExrCompression compression);
 
-// Fails with ErrorKind::unreadable, invalid (not such a file, or a damaged one) or unsupported (of
-// a later version).
+// Fails with ErrorKind::unreadable, invalid (not a film, or damaged) or unsupported (written by a
+// later version).
 Result<StoredFilm> read_film(const std::filesystem::path& path);
 
-// About the size of its file without compression, beside lists of ids.
+// Approximate size of the uncompressed file, without the lists of ids.
 std::uint64_t stored_bytes(const Film& film);
 
 }  // namespace hm

@@ -1,5 +1,5 @@
-// Films in files: every bit comes back, whatever was added; a changed byte is noticed; other tools
-// can look inside; and parts that are joined in any order are the whole.
+// Films in files: reading restores every bit, damage is detected, and parts can be merged in any
+// order.
 #include "film/store.h"
 
 #include <gtest/gtest.h>
@@ -45,8 +45,8 @@ AovSelection everything() {
     return selection;
 }
 
-// What `samples` random samples leave, added pixel by pixel. Values are of all magnitudes, so that
-// any rounding shows.
+// Adds `count` random samples to each pixel. Their magnitudes vary widely, so that any rounding
+// shows.
 void add_samples(Film& film, std::uint32_t first, std::uint32_t count, unsigned seed) {
     std::mt19937 numbers(seed);
     std::lognormal_distribution<float> value(0, 3);
@@ -95,7 +95,7 @@ void expect_same_bits(const Film& a, const Film& b) {
     }
 }
 
-TEST_F(FilmStore, EveryBitComesBack) {
+TEST_F(FilmStore, ReadingRestoresEveryBit) {
     for (const bool with_aovs : {false, true})
         for (const ExrCompression compression : {ExrCompression::none, ExrCompression::zip}) {
             Film film({3, 2, 20, 13}, with_aovs ? everything() : AovSelection{});
@@ -119,7 +119,7 @@ TEST_F(FilmStore, EveryBitComesBack) {
         }
 }
 
-TEST_F(FilmStore, SizeIsKnownBeforehand) {
+TEST_F(FilmStore, StoredBytesPredictTheFileSize) {
     Film film({0, 0, 200, 100}, AovSelection{*parse_aovs("albedo,depth"), {}, false});
     const fs::path path = folder_ / "film.exr";
     ASSERT_TRUE(write_film(path, film, {200, 100, {}}, ExrCompression::none));
@@ -127,9 +127,9 @@ TEST_F(FilmStore, SizeIsKnownBeforehand) {
     EXPECT_NEAR(double(stored_bytes(film)) / size, 1, 0.01);
 }
 
-// Wherever a byte is changed or the end is cut off, the file is refused, or the change meant
-// nothing, and what is read is what was written.
-TEST_F(FilmStore, DamageIsNoticed) {
+// If a bit is flipped or the file is truncated, the file is refused, or the film that is read
+// equals the one written.
+TEST_F(FilmStore, DamageIsDetected) {
     Film film({0, 0, 16, 8}, AovSelection{*parse_aovs("albedo,uv,crypto_object"), {}, false});
     add_samples(film, 0, 3, 2);
     const fs::path path = folder_ / "film.exr";
@@ -158,19 +158,18 @@ TEST_F(FilmStore, DamageIsNoticed) {
     for (int i = 0; i < 50; ++i)
         check(std::span(bytes).first(numbers() % bytes.size()));
     EXPECT_GT(refused, 250);
-    // Chromaticities, pixel aspect, and the table of offsets, which OpenEXR makes again.
+    // Chromaticities, pixel aspect ratio, and the offset table, which OpenEXR reconstructs.
     EXPECT_LT(harmless, 100);
 }
 
-TEST_F(FilmStore, SaysWhatAFileIsNot) {
+TEST_F(FilmStore, OtherFilesAreRefused) {
     const fs::path path = folder_ / "film.exr";
     const std::string name = path.string();
     EXPECT_EQ(error_of(path), name + ": can't be opened: No such file or directory");
     LayeredImage picture{{0, 0, 2, 1}, {0, 0, 2, 1}, {}, {}};
     picture.layers.push_back(make_layer("", "RGB", std::vector<float>(6)));
     ASSERT_TRUE(write_layers(path, picture));
-    EXPECT_EQ(error_of(path),
-              name + ": is a picture, neither a checkpoint nor a part of a rendering");
+    EXPECT_EQ(error_of(path), name + ": is a picture, not a checkpoint or a part of a rendering");
     picture.metadata = {{"film.version", "2"}};
     ASSERT_TRUE(write_layers(path, picture));
     EXPECT_EQ(error_of(path), name + ": has version 2 of the format; this program has 1");
@@ -180,9 +179,9 @@ TEST_F(FilmStore, SaysWhatAFileIsNot) {
     EXPECT_EQ(error_of(path), name + ": is damaged: channel sum.R is missing");
 }
 
-// Parts of random sizes in random order give the whole to float rounding: sums of n terms of one
-// sign differ by no more than n roundings.
-TEST_F(FilmStore, PartsJoinInAnyOrder) {
+// Merging parts of random sizes in random order gives the whole film up to float rounding: sums of
+// n terms of one sign differ by at most n roundings.
+TEST_F(FilmStore, PartsMergeInAnyOrder) {
     constexpr std::uint32_t kSamples = 24;
     const PixelRect crop{0, 0, 7, 5};
     std::mt19937 numbers(4);

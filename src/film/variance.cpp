@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 
-// `values`: kReplicates times radiance and count.
+// `values`: kReplicates times (radiance, sample count).
 float replicate_variance(const float* values, std::size_t channel) {
     double sum = 0, count = 0;
     int filled = 0;
@@ -42,7 +42,7 @@ float sample_variance(const PixelSum& sum, float squares, std::size_t channel) {
 std::vector<float> variance_of_means(const Film& film) {
     const FilmPlane* replicates = film.find_plane(kPlaneReplicates);
     const FilmPlane* squares = film.find_plane(kPlaneSquares);
-    HM_CHECK(replicates || squares, "none of {} planes tells of variance", film.planes.size());
+    HM_CHECK(replicates || squares, "no variance plane among {} planes", film.planes.size());
     std::vector<float> variances;
     variances.reserve(3 * film.sums.size());
     for (std::size_t i = 0; i < film.sums.size(); ++i)

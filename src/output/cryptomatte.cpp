@@ -24,7 +24,7 @@ struct Coverage {
     float id, coverage;
 };
 
-// By falling coverage; equal ones by id, so that nothing depends on the order of the surfaces.
+// By descending coverage, then by id, so that the order of the surfaces has no effect.
 std::vector<Coverage> rank_ids(const IdList& list, float weight, std::span<const float> ids) {
     std::map<float, float> counts;
     for (const IdCount& entry : list)

@@ -1,4 +1,4 @@
-// Cryptomatte: the hash against published values, ids that decode to names, coverage that sums up.
+// Cryptomatte: the hash against published values, valid ids, ranking, coverage and metadata.
 #include "output/cryptomatte.h"
 
 #include <fmt/format.h>
@@ -11,15 +11,15 @@
 namespace hm {
 namespace {
 
-// Test vectors of MurmurHash3_x86_32, seed 0, as its users publish them.
-TEST(Cryptomatte, HashIsMurmurs) {
+// Published test vectors of MurmurHash3_x86_32 with seed 0.
+TEST(Cryptomatte, HashMatchesPublishedValues) {
     EXPECT_EQ(murmur_hash_3(""), 0u);
     EXPECT_EQ(murmur_hash_3("test"), 0xba6bd213u);
     EXPECT_EQ(murmur_hash_3("Hello, world!"), 0xc0363e43u);
     EXPECT_EQ(murmur_hash_3("The quick brown fox jumps over the lazy dog"), 0x2e4ff723u);
 }
 
-TEST(Cryptomatte, IdsAreOrdinaryNumbers) {
+TEST(Cryptomatte, IdsAreNormalFloats) {
     for (int i = 0; i < 20000; ++i)
         ASSERT_TRUE(std::isnormal(cryptomatte_id("object " + std::to_string(i))));
     EXPECT_EQ(std::bit_cast<std::uint32_t>(cryptomatte_id("test")), 0xba6bd213u);
@@ -36,8 +36,8 @@ const std::vector<std::string> kObjects = {"cat", "dog", "cat", "a \"quoted\" na
 const std::vector<std::string> kMaterials(8, "fur");
 const CryptomatteNames kNames{kObjects, kMaterials, kObjects};
 
-// Twelve samples: the first pixel hit the cat's two parts and the dog, the second nothing, the
-// third more things than three layers can list.
+// Twelve samples per pixel: the first pixel hit two parts of the cat and the dog, the second
+// nothing, the third more objects than fit into three layers.
 Film test_film() {
     Film film({0, 0, 3, 1}, objects());
     for (PixelSum& sum : film.sums)
@@ -76,7 +76,7 @@ TEST(Cryptomatte, RanksByCoverage) {
     EXPECT_NEAR(coverage, 7.0f / 12, 1e-6f);
 }
 
-TEST(Cryptomatte, OneNameIsOneId) {
+TEST(Cryptomatte, EqualNamesShareAnId) {
     const std::vector<Layer> layers = cryptomatte_layers(test_film(), Aov::crypto_material, kNames);
     ASSERT_EQ(layers.size(), 3u);
     EXPECT_EQ(layers[0].find("R")->values[2], cryptomatte_id("fur"));

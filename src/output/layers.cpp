@@ -10,7 +10,7 @@
 namespace hm {
 namespace {
 
-// Interleaved values of one AOV, from the sums of its plane.
+// Interleaved values of one AOV, computed from the sums in its plane.
 std::vector<float> finish_plane(const Film& film, const AovInfo& info) {
     const FilmPlane& plane = *film.find_plane(info.plane);
     const std::size_t channels = info.channels.size();
@@ -28,7 +28,7 @@ std::vector<float> finish_plane(const Film& film, const AovInfo& info) {
     return values;
 }
 
-// 1 where a ray hit, else 0: Blender takes a layer of U and V alone for noise.
+// Adds A: 1 if a ray hit, else 0. Blender misreads a layer that has only U and V.
 void add_hit_channel(const Film& film, const AovInfo& info, Layer& layer) {
     const FilmPlane& plane = *film.find_plane(info.plane);
     LayerChannel& hit = layer.channels.emplace_back();

@@ -1,4 +1,4 @@
-// The finished picture of a film: the beauty and every AOV that it carries, as layers.
+// Converts a film to the layers of its picture: the beauty and every AOV.
 #pragma once
 
 #include <string>
@@ -12,22 +12,23 @@
 namespace hm {
 
 struct LayerChoice {
-    std::uint32_t width = 0, height = 0;  // of the whole picture, which the film may be a crop of
+    std::uint32_t width = 0, height = 0;  // of the whole picture; the film may be a crop
     bool alpha = false;                   // the beauty's
-    std::vector<std::string> half;        // layers to store in 16 bits, by the names of parse_half
-    CryptomatteNames names;               // read where a cryptomatte is chosen
+    std::vector<std::string> half;        // layers to store as half, named as in parse_half
+    CryptomatteNames names;               // used if a cryptomatte is selected
     glm::dvec3 origin{0};                 // added to positions
 };
 
-// The picture proper first, then the AOVs in the order of their table; metadata are those of the
-// AOVs only.
+// The beauty first, then the AOVs in the order of all_aovs(). The metadata are those of the AOVs
+// only.
 LayeredImage film_layers(const Film& film, const LayerChoice& choice);
 
-// The depth of a pixel that sees nothing.
+// The depth of a pixel without a hit.
 inline constexpr float kDepthOfNothing = 1e10f;
 
-// "beauty" and names of AOVs, or "all" that half may hold. Ids, depth and positions are refused:
-// they lose their meaning. The error completes a sentence.
+// Parses "beauty" and names of AOVs, or "all" for every layer that may be stored as half. Ids,
+// depth and positions are refused, because half is too coarse for them. The error message is a
+// predicate.
 tl::expected<std::vector<std::string>, std::string> parse_half(std::string_view text);
 
 }  // namespace hm

@@ -23,7 +23,7 @@ vec3 straight_color(const Rgba<float>& pixel) {
     return pixel[3] > 0.0f ? color(pixel) / pixel[3] : vec3(0);
 }
 
-// In (-0.5, 0.5): the tile holds each rank once.
+// In (-0.5, 0.5). Each rank occurs once in the tile.
 float dither_offset(std::uint32_t x, std::uint32_t y) {
     const std::uint32_t rank = shading_tables().blue_noise[(y & 127u) * 128u + (x & 127u)];
     return (float(rank) + 0.5f) / 16384.0f - 0.5f;
@@ -72,6 +72,17 @@ Image8 tone_map_picture(const FloatImage& linear, PixelRect crop, const ToneSett
         }
     });
     return out;
+}
+
+ToneShares tone_shares(const Image8& picture) {
+    std::size_t black = 0, clipped = 0;
+    for (const Rgba<std::uint8_t>& pixel : picture.pixels) {
+        const std::uint8_t largest = std::max({pixel[0], pixel[1], pixel[2]});
+        if (largest <= 1) ++black;
+        if (largest >= 254) ++clipped;
+    }
+    const double count = double(std::max<std::size_t>(picture.pixels.size(), 1));
+    return {double(black) / count, double(clipped) / count};
 }
 
 }  // namespace hm

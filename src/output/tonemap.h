@@ -1,4 +1,4 @@
-// Linear radiance to what a display shows: exposure, tone curve, sRGB, dither.
+// Converts linear radiance to display values: exposure, tone curve, sRGB, dither.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,22 @@ struct ToneSettings {
     std::uint32_t curve = kToneNeutral;
 };
 
-// The exposure that brings the log-average of the luminance (Reinhard et al. 2002) to 0.18. Pixels
-// count by their alpha; those below a thousandth of the mean are taken for unlit and left out. 0
-// for a black picture.
+// The exposure that maps the log-average luminance (Reinhard et al. 2002) to 0.18. Pixels are
+// weighted by alpha; those below a thousandth of the mean count as unlit and are excluded. 0 for a
+// black picture.
 float auto_exposure(const FloatImage& linear);
 
-// Premultiplied radiance to sRGB with straight alpha. Ordered dither with the blue-noise tile of
-// the shading tables, at most half a step either way and the same for all channels, so that greys
-// stay grey and values that 8 bits hold exactly stay as they are. The tile follows the whole
-// picture's pixels: `crop` is where `linear` lies in it.
+// Converts premultiplied radiance to sRGB with straight alpha. Ordered dithering with the
+// blue-noise tile of the shading tables adds less than half a step, the same to all channels, so
+// that greys stay grey and values that 8 bits can represent are exact. `crop` is the position of
+// `linear` in the whole picture, to which the tile is aligned.
 Image8 tone_map_picture(const FloatImage& linear, PixelRect crop, const ToneSettings& settings);
+
+// Shares of a picture's pixels.
+struct ToneShares {
+    double black = 0;    // no channel above 1 of 255
+    double clipped = 0;  // a channel of 254 or 255
+};
+ToneShares tone_shares(const Image8& picture);
 
 }  // namespace hm

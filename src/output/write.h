@@ -1,4 +1,4 @@
-// The finished picture to a file; the extension says which kind.
+// Writes the finished picture to a file. The extension determines the format.
 #pragma once
 
 #include <filesystem>
@@ -13,18 +13,18 @@ namespace hm {
 
 enum class PictureKind { exr, png, hdr };
 
-// By the extension, in upper or lower case; nothing if it is none of ours.
+// By the extension, in upper or lower case; nullopt if it is not supported.
 std::optional<PictureKind> picture_kind(const std::filesystem::path& path);
 
 struct PictureOptions {
-    PixelRect crop;      // where the picture lies in the whole
-    bool alpha = false;  // PNG only: write the coverage
+    PixelRect crop;      // position in the whole picture
+    bool alpha = false;  // PNG only: write the alpha channel
     ToneSettings tone;   // PNG only
     ExrOptions exr{};
 };
 
-// .exr gets all layers and .png and .hdr the beauty alone, which is premultiplied. The
-// extension must be known.
+// .exr files contain all layers, .png and .hdr files the beauty only. `beauty` is premultiplied.
+// The extension must be supported.
 Result<void> write_picture(const std::filesystem::path& path, const FloatImage& beauty,
                            const LayeredImage& layers, const PictureOptions& options);
 

@@ -126,8 +126,7 @@ TEST_F(Merge, WhatDoesNotFitIsRefused) {
     expect_ok(small_render(folder / "picture.exr", 1));
     expect_refused(
         {a, folder / "picture.exr"},
-        folder / "picture.exr" + ": is a picture, neither a checkpoint nor a part of a rendering",
-        4);
+        folder / "picture.exr" + ": is a picture, not a checkpoint or a part of a rendering", 4);
     const Outcome lost = run({"merge", a, "-o", a});
     EXPECT_EQ(lost.text, "himalaya: error: " + a + ": is one of the parts; it would be lost\n");
     EXPECT_TRUE(read_film(a));

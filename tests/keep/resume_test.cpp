@@ -143,7 +143,7 @@ TEST_F(Resume, FlagsThatMakeNoSense) {
                    folder / "gone.exr" + ": can't be opened: No such file or directory", 3);
     expect_ok(small_render(whole, 1));
     expect_refused(with(small_render(output, 1), {"--resume", whole}),
-                   whole + ": is a picture, neither a checkpoint nor a part of a rendering", 4);
+                   whole + ": is a picture, not a checkpoint or a part of a rendering", 4);
     expect_refused(with(small_render(output, 1), {"--every", "5"}),
                    "--every: is for --checkpoint and --resume");
     expect_refused(with(small_render(output, 1), {"--any-device"}),
