@@ -36,7 +36,8 @@ struct SamplingSettings {
 };
 
 struct ViewSettings {
-    std::string camera{};                  // name or index; empty: the first, or frame the scene
+    // Name or index; "none": frame the scene; empty: the first camera, or frame the scene.
+    std::string camera{};
     std::optional<Vec3d> eye{}, target{};  // instead of a camera of the scene, metres
     std::optional<Vec3> up{};
     std::optional<float> vertical_fov{};    // degrees

@@ -58,14 +58,14 @@ EnvironmentMap make_environment(const FloatImage& image, float rotation, float i
 
 FloatImage default_environment() {
     FloatImage image(128, 64);
-    const vec3 key = normalize(vec3(0.55f, 0.75f, 0.65f));
+    const vec3 key = normalize(vec3(-0.5f, 0.75f, 0.45f));
     for (std::uint32_t y = 0; y < image.height; ++y)
         for (std::uint32_t x = 0; x < image.width; ++x) {
             vec2 theta = cos_sin_2pi(0.5f * (float(y) + 0.5f) / float(image.height));
             vec2 phi = cos_sin_2pi(fract((float(x) + 0.5f) / float(image.width) + 0.5f));
             vec3 d(theta.y * phi.x, theta.x, theta.y * phi.y);
-            float sky = 0.35f + 0.45f * saturate(0.5f + 0.7f * d.y);
-            float glow = 7.0f * std::exp(-(1.0f - dot(d, key)) * 14.0f);
+            float sky = 0.42f + 0.22f * d.y;
+            float glow = 3.4f * std::exp(-(1.0f - dot(d, key)) * 14.0f);
             float value = sky + glow;
             image.pixels[std::size_t(y) * image.width + x] = {value, value, value, 1};
         }

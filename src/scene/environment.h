@@ -19,7 +19,9 @@ struct EnvironmentMap {
 // rotation is in degrees; intensity scales the radiance. An all-black map gets intensity 0.
 EnvironmentMap make_environment(const FloatImage& image, float rotation, float intensity);
 
-// The neutral default lighting for scenes without lights: a grey sky with a soft key light.
+// The neutral default lighting for scenes without lights: a grey sky and a soft key light from the
+// upper left of the default view, so that the three visible faces of a box differ. No matte surface
+// reflects more than 1 (docs/decisions/0016).
 FloatImage default_environment();
 
 }  // namespace hm

@@ -199,10 +199,49 @@ TEST(Environment, EstimatesTheIrradianceOfThePicture) {
 
 TEST(Environment, DefaultIsLitFromAbove) {
     EnvironmentMap map = make_environment(default_environment(), 0, 1);
-    EXPECT_GT(map.mean_radiance, 0.3f);
-    EXPECT_LT(map.mean_radiance, 3.0f);
+    EXPECT_NEAR(map.mean_radiance, 0.5414f, 0.005f);  // 0.42 + 3.4 / (2 * 14)
     EXPECT_EQ(map.texels.size(), map.alias.size());
     EXPECT_GT(map.texels[map.data.width * 10].x, map.texels[map.data.width * 60].x);
+}
+
+// The radiance of a matte white surface: the irradiance by a sum over texels, divided by pi.
+double matte_white(const FloatImage& sky, vec3 normal) {
+    double sum = 0;
+    for (std::uint32_t y = 0; y < sky.height; ++y)
+        for (std::uint32_t x = 0; x < sky.width; ++x) {
+            const double theta = kPiDouble * (y + 0.5) / sky.height;
+            const double phi = 2 * kPiDouble * ((x + 0.5) / sky.width - 0.5);
+            const double cosine = std::sin(theta) * std::cos(phi) * double(normal.x) +
+                                  std::cos(theta) * double(normal.y) +
+                                  std::sin(theta) * std::sin(phi) * double(normal.z);
+            const double solid_angle = 2 * kPiDouble * kPiDouble * std::sin(theta) /
+                                       (double(sky.width) * double(sky.height));
+            sum += std::max(cosine, 0.0) * solid_angle *
+                   double(sky.pixels[std::size_t(y) * sky.width + x][0]);
+        }
+    return sum / kPiDouble;
+}
+
+// A white box in the default view: its faces differ clearly, and none is overexposed.
+TEST(Environment, DefaultModelsForm) {
+    const FloatImage sky = default_environment();
+    const double top = matte_white(sky, {0, 1, 0}), front = matte_white(sky, {0, 0, 1});
+    const double right = matte_white(sky, {1, 0, 0});
+    EXPECT_GT(top, 1.35 * front);
+    EXPECT_GT(front, 1.35 * right);
+    EXPECT_GT(right, 0.35);
+    for (int i = 0; i < 200; ++i) {
+        const float z = 1 - (2 * float(i) + 1) / 200, radius = std::sqrt(1 - z * z);
+        const float phi = 2.3999632f * float(i);  // a spherical Fibonacci lattice
+        EXPECT_LT(matte_white(sky, {radius * std::cos(phi), z, radius * std::sin(phi)}), 1.0);
+    }
+}
+
+TEST(Environment, DefaultIsGrey) {
+    for (const Rgba<float>& pixel : default_environment().pixels) {
+        EXPECT_EQ(pixel[0], pixel[1]);
+        EXPECT_EQ(pixel[1], pixel[2]);
+    }
 }
 
 TEST(Environment, BlackMapIsNone) {

@@ -102,7 +102,7 @@ Result<CameraChoice> choose_camera(const ViewSettings& view, const Scene& scene,
                                                      "needed");
         choice = {camera_look_at(eye, target, view.up.value_or(vec3(0, 1, 0)), fov, aspect),
                   "look-at"};
-    } else if (!nodes.empty() || !view.camera.empty()) {
+    } else if (view.camera != kNoCamera && (!nodes.empty() || !view.camera.empty())) {
         HM_TRY_ASSIGN(choice, file_camera(view, scene, nodes, world, bounds, aspect));
     } else {
         choice = {camera_framing(bounds, fov, aspect), "framing"};

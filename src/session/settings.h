@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "denoise/denoise.h"
@@ -39,8 +40,11 @@ struct SamplingSettings {
     std::uint32_t end() const { return range ? range->end : samples; }
 };
 
+// ViewSettings::camera that frames the whole scene. A camera of that name is chosen by its index.
+inline constexpr std::string_view kNoCamera = "none";
+
 struct ViewSettings {
-    std::string camera;                     // name or index; empty: the file's first
+    std::string camera;                     // name, index or kNoCamera; empty: the file's first
     std::optional<glm::dvec3> eye, target;  // in the file's coordinates
     std::optional<vec3> up;
     std::optional<float> fov;  // vertical, degrees

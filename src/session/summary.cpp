@@ -1,5 +1,6 @@
 #include "session/summary.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "film/variance.h"
@@ -9,6 +10,11 @@ namespace hm {
 double RenderSummary::removed_share() const {
     const double all = removed_luminance + mean_luminance;
     return all > 0 ? removed_luminance / all : 0;
+}
+
+// A path that hits a surface goes on with another ray, unless the surface scatters nothing.
+bool RenderSummary::missed_everything() const {
+    return samples > 0 && rays == samples && !scene.paths_may_end;
 }
 
 SceneStats scene_stats(const Scene& scene, const FlatScene& flat) {
@@ -22,6 +28,9 @@ SceneStats scene_stats(const Scene& scene, const FlatScene& flat) {
             s.triangles += flat.geometries[g].triangle_count;
     s.punctual_lights = flat.lights.size();
     s.emissive_triangles = flat.emitters.size();
+    s.paths_may_end = std::ranges::any_of(flat.materials, [](const MaterialData& m) {
+        return (m.flags & kMaterialUnlit) != 0 || m.specular_weight == 0;
+    });
     return s;
 }
 

@@ -26,6 +26,7 @@ struct SceneStats {
     std::uint64_t meshes = 0, instances = 0, materials = 0, images = 0;
     std::uint64_t triangles = 0;  // of every instance
     std::uint64_t punctual_lights = 0, emissive_triangles = 0;
+    bool paths_may_end = false;  // some surface may scatter nothing: unlit or without specular
 };
 
 struct RenderSummary {
@@ -45,6 +46,8 @@ struct RenderSummary {
     bool interrupted = false;
 
     double removed_share() const;  // of all luminance, by the clamp
+    // Whether every camera ray missed the scene. False where that can't be told.
+    bool missed_everything() const;
 };
 
 SceneStats scene_stats(const Scene& scene, const FlatScene& flat);

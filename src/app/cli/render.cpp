@@ -15,6 +15,7 @@
 #include "app/cli/hints.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/output.h"
+#include "app/cli/picture_hints.h"
 #include "app/cli/progress.h"
 #include "app/cli/report.h"
 #include "base/clock.h"
@@ -27,12 +28,13 @@
 namespace hm::cli {
 namespace {
 
-void note_defaults(Progress& progress, const RenderSummary& summary) {
+void note_defaults(Progress& progress, const RenderSettings& settings,
+                   const RenderSummary& summary) {
     if (summary.environment == "default")
         progress.note(
             "the scene has no punctual light: using the default environment (--env none "
             "for black)");
-    if (summary.camera == "framing")
+    if (summary.camera == "framing" && settings.view.camera != kNoCamera)
         progress.note("the file has no camera: framing the whole scene (see --eye)");
 }
 
@@ -46,7 +48,10 @@ DrawHooks hooks(const RenderOptions& options, Progress& progress) {
                 progress.update(state);
             },
         .warn = [&progress](std::string_view line) { progress.warning(line); },
-        .prepared = [&progress](const RenderSummary& summary) { note_defaults(progress, summary); },
+        .prepared =
+            [&](const RenderSummary& summary) {
+                note_defaults(progress, options.settings, summary);
+            },
         .describe =
             [&options](const RenderSummary& summary) { return metadata_texts(options, summary); }};
 }
@@ -113,6 +118,8 @@ Result<ExitCode> draw(const RenderOptions& options, Stage& stage, const Denoiser
 
     record_warnings(summary, options.input, diagnostics);
     progress.note(summary_line(summary));
+    if (const std::optional<std::string> hint = picture_hint(options, summary, drawn.film))
+        progress.note(*hint);
     if (options.json) HM_TRY(print(json_report(options, summary, diagnostics)));
     if (drawn.failed) return device_failure(*drawn.failed, drawn.film, written);
     HM_TRY(drawn.kept);

@@ -89,8 +89,9 @@ void add_sampling(CLI::App& app, RenderOptions& o) {
 void add_view(CLI::App& app, ViewSettings& v) {
     CLI::Option* camera = app.add_option(
         "--camera", v.camera,
-        "The file's camera of this name or index (0). Without cameras the whole scene is framed");
-    camera->type_name("NAME|INDEX");
+        "The file's camera of this name or index (0), or none to frame the whole scene, as is done "
+        "without cameras");
+    camera->type_name("NAME|INDEX|none");
     CLI::Option* eye = add(app, "--eye", "X,Y,Z", v.eye, parse_vector,
                            "Look from this point, metres, instead of through a camera of the file");
     eye->excludes(camera);
