@@ -17,15 +17,14 @@ std::string Warning::line() const {
     return printable(text);
 }
 
-void Diagnostics::warn(std::string file, std::string location, std::string message,
-                       std::size_t count) {
+void Diagnostics::List::add(Warning warning) {
     // Separated by a zero byte, which no path contains.
-    const auto [found, is_new] = index_.try_emplace(file + '\0' + message, warnings_.size());
-    if (is_new) {
-        warnings_.push_back({std::move(file), std::move(location), std::move(message), count});
-    } else {
-        warnings_[found->second].count += count;
-    }
+    const auto [found, is_new] =
+        index.try_emplace(warning.file + '\0' + warning.message, all.size());
+    if (is_new)
+        all.push_back(std::move(warning));
+    else
+        all[found->second].count += warning.count;
 }
 
 }  // namespace hm

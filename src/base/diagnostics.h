@@ -1,10 +1,12 @@
-// Warnings collected while reading input. A warning that repeats at several locations is stored
-// once with a count.
+// Warnings and notes collected while reading input. One that repeats at several locations is stored
+// once with a count. A warning says that a picture may not be as intended; a note reports something
+// that does not affect it.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace hm {
@@ -18,15 +20,26 @@ struct Warning {
     std::string line() const;  // "file: location: message (3 times)"; control characters escaped
 };
 
-// Warnings in order of first occurrence. Not thread-safe.
+// Both lists are in order of first occurrence. Not thread-safe.
 class Diagnostics {
   public:
-    void warn(std::string file, std::string location, std::string message, std::size_t count = 1);
-    const std::vector<Warning>& warnings() const { return warnings_; }
+    void warn(std::string file, std::string location, std::string message, std::size_t count = 1) {
+        warnings_.add({std::move(file), std::move(location), std::move(message), count});
+    }
+    void note(std::string file, std::string location, std::string message, std::size_t count = 1) {
+        notes_.add({std::move(file), std::move(location), std::move(message), count});
+    }
+    const std::vector<Warning>& warnings() const { return warnings_.all; }
+    const std::vector<Warning>& notes() const { return notes_.all; }
 
   private:
-    std::vector<Warning> warnings_;
-    std::unordered_map<std::string, std::size_t> index_;  // file and message -> warnings_
+    struct List {
+        void add(Warning warning);
+
+        std::vector<Warning> all;
+        std::unordered_map<std::string, std::size_t> index;  // file and message -> all
+    };
+    List warnings_, notes_;
 };
 
 }  // namespace hm

@@ -28,5 +28,14 @@ TEST(Diagnostics, LineEscapesAndLeavesOutWhatIsEmpty) {
     EXPECT_EQ((Warning{"f", "", "m", 3}.line()), "f: m (3 times)");
 }
 
+TEST(Diagnostics, NotesAreNoWarnings) {
+    Diagnostics diagnostics;
+    diagnostics.note("a.glb", "/extensionsUsed/0", "is metadata");
+    diagnostics.note("a.glb", "/extensionsUsed/1", "is metadata");
+    EXPECT_TRUE(diagnostics.warnings().empty());
+    ASSERT_EQ(diagnostics.notes().size(), 1u);
+    EXPECT_EQ(diagnostics.notes()[0].line(), "a.glb: /extensionsUsed/0: is metadata (2 times)");
+}
+
 }  // namespace
 }  // namespace hm

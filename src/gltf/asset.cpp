@@ -20,6 +20,31 @@ constexpr std::array<std::string_view, 8> kSupported{
     "KHR_materials_unlit",     "KHR_materials_variants", kQuantization,
     "KHR_node_visibility",     "KHR_texture_transform"};
 
+// They describe objects and do not affect the picture.
+constexpr std::array<std::string_view, 8> kMetadata{"EXT_structural_metadata",
+                                                    "EXT_mesh_features",
+                                                    "EXT_instance_features",
+                                                    "FB_ngon_encoding",
+                                                    "KHR_xmp_json_ld",
+                                                    "KHR_xmp",
+                                                    "VRM",
+                                                    "VRMC_vrm"};
+
+bool is_metadata(std::string_view extension) {
+    return std::find(kMetadata.begin(), kMetadata.end(), extension) != kMetadata.end();
+}
+
+// A command of glTF Transform (gltf-transform.dev) that writes a file without the extension.
+std::string_view remedy(std::string_view extension) {
+    if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
+        extension == "KHR_meshopt_compression")
+        return "gltf-transform copy IN OUT";
+    if (extension == "EXT_texture_webp" || extension == "EXT_texture_avif" ||
+        extension == "KHR_texture_basisu")
+        return kPicturesToPng;
+    return {};
+}
+
 struct Version {
     unsigned major = 0;
     unsigned minor = 0;
@@ -51,12 +76,19 @@ void warn_of_ignored(const KeyCounts& uses, const std::vector<std::string_view>&
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!listed.insert(used[i]).second || is_supported(used[i])) continue;
         const auto found = uses.find(used[i]);
-        source.warn(fmt::format("/extensionsUsed/{}", i),
-                    fmt::format("extension {} is not supported and ignored", excerpt(used[i])),
-                    found == uses.end() ? 1 : found->second);
+        const std::string pointer = fmt::format("/extensionsUsed/{}", i);
+        const std::string name = excerpt(used[i]);
+        if (found == uses.end())
+            source.note(pointer, fmt::format("extension {} is listed but not used", name));
+        else if (is_metadata(used[i]))
+            source.note(pointer, fmt::format("extension {} is metadata and ignored", name),
+                        found->second);
+        else
+            source.warn(pointer, fmt::format("extension {} is not supported and ignored", name),
+                        found->second);
     }
     for (const auto& [name, count] : uses)
-        if (!is_supported(name) && !listed.contains(name))
+        if (!is_supported(name) && !is_metadata(name) && !listed.contains(name))
             source.warn(
                 "/extensionsUsed",
                 fmt::format("does not list extension {}, which is not supported and ignored",
@@ -93,9 +125,10 @@ Result<void> check_extensions(const JsonDocument& document, Source& source) {
     HM_TRY_ASSIGN(const auto required, root.texts("extensionsRequired"));
     std::string missing;
     for (const std::string_view name : required) {
-        if (is_supported(name)) continue;
+        if (is_supported(name) || is_metadata(name)) continue;
         if (!missing.empty()) missing += ", ";
         missing += name;
+        if (!remedy(name).empty()) missing += fmt::format(" (undone by: {})", remedy(name));
     }
     if (!missing.empty())
         return root.fail(ErrorKind::unsupported, "extensionsRequired",

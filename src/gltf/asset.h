@@ -8,6 +8,9 @@
 
 namespace hm::gltf {
 
+// The command of glTF Transform that turns pictures of every format into PNG.
+inline constexpr std::string_view kPicturesToPng = "gltf-transform png IN OUT --formats '*'";
+
 // Whether this program evaluates the extension.
 bool is_supported(std::string_view extension);
 

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/text.h"
+#include "gltf/asset.h"
 #include "gltf/budget.h"
 #include "gltf/uri.h"
 #include "image/codecs.h"
@@ -75,7 +76,8 @@ Result<Encoded> fetch(const Json& item, Source& source) {
     HM_TRY(fetch_bytes(item, source, out));
     if (const std::string_view format = foreign_format(out.bytes); !format.empty())
         return item.fail(ErrorKind::unsupported, key_of(item),
-                         fmt::format("is a {} image; PNG and JPEG are read", format));
+                         fmt::format("is a {} image; PNG and JPEG are read ({} converts)", format,
+                                     kPicturesToPng));
     HM_TRY_ASSIGN(out.name, name_of(item));
     out.decoded_bytes = decoded_size(out.bytes).value_or(0);
     HM_TRY(take_memory(item, source, out.decoded_bytes));

@@ -118,12 +118,42 @@ TEST(Load, VersionsAndExtensions) {
                     .scene);
 }
 
+// Metadata does not affect the picture, whether listed, required, or only there.
+TEST(Load, MetadataIsANote) {
+    for (const bool required : {false, true}) {
+        Overrides overrides = {{"nodes", R"([{"mesh":0,"extensions":{"EXT_mesh_features":{}}}])"}};
+        overrides["extensionsUsed"] = R"(["EXT_mesh_features"])";
+        if (required) overrides["extensionsRequired"] = R"(["EXT_mesh_features"])";
+        const Loaded loaded = load_text(document(overrides));
+        ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+        EXPECT_TRUE(loaded.diagnostics.warnings().empty());
+        ASSERT_EQ(loaded.diagnostics.notes().size(), 1u);
+        EXPECT_NE(loaded.diagnostics.notes()[0].message.find("metadata"), std::string::npos);
+    }
+}
+
+// What undoes it is said until it is supported.
+TEST(Load, CompressionNamesTheCommandThatUndoesIt) {
+    const std::pair<const char*, const char*> cases[] = {
+        {R"(["KHR_draco_mesh_compression"])", "gltf-transform copy"},
+        {R"(["EXT_meshopt_compression"])", "gltf-transform copy"},
+        {R"(["EXT_texture_webp"])", "gltf-transform png"}};
+    for (const auto& [required, command] : cases) {
+        const Loaded loaded = load_text(document({{"extensionsRequired", required}}));
+        ASSERT_FALSE(loaded.scene);
+        EXPECT_EQ(loaded.scene.error().kind, ErrorKind::unsupported);
+        EXPECT_NE(loaded.scene.error().message.find(command), std::string::npos)
+            << loaded.scene.error().line();
+    }
+}
+
 TEST(Load, WarnsOfUnknownExtensions) {
     const Loaded loaded = load_text(document(
         {{"extensionsUsed", R"(["KHR_a","KHR_materials_unlit","KHR_materials_variants"])"}}));
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
-    EXPECT_EQ(loaded.warned("/extensionsUsed/0", "KHR_a"), 1u);
-    EXPECT_EQ(loaded.diagnostics.warnings().size(), 1u);
+    EXPECT_TRUE(loaded.diagnostics.warnings().empty());  // nothing has it
+    ASSERT_EQ(loaded.diagnostics.notes().size(), 1u);
+    EXPECT_EQ(loaded.diagnostics.notes()[0].location, "/extensionsUsed/0");
 
     // How often each is used, also one that is not listed; extras are nobody's business.
     const Loaded counted = load_text(document(

@@ -89,6 +89,9 @@ struct Source {
     std::size_t variant_count = 0;
     std::optional<std::size_t> variant{};  // the chosen one
 
+    void note(std::string pointer, std::string message, std::size_t count = 1) {
+        diagnostics.note(file, std::move(pointer), std::move(message), count);
+    }
     void warn(std::string pointer, std::string message, std::size_t count = 1) {
         diagnostics.warn(file, std::move(pointer), std::move(message), count);
     }

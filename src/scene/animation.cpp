@@ -16,7 +16,7 @@ struct Span {
 
 Span find_span(const std::vector<float>& times, double seconds) {
     const std::size_t last = times.size() - 1;
-    if (!(seconds > double(times.front()))) return {};
+    if (!(seconds >= double(times.front()))) return {};
     if (seconds >= double(times.back())) return {last, last, 0, 0};
     const auto after = std::upper_bound(times.begin(), times.end(), seconds,
                                         [](double t, float key) { return t < double(key); });

@@ -96,7 +96,7 @@ TEST_F(Info, JsonFitsTheSchema) {
         expect_fits_schema(printed.text);
     }
     const Printed hostile = run(write(kHostile, true));
-    EXPECT_EQ(hostile.code, 10);
+    EXPECT_EQ(hostile.code, 0);
     expect_fits_schema(hostile.text);
 }
 
@@ -113,8 +113,12 @@ TEST_F(Info, HostileNamesAreMadePrintable) {
 TEST_F(Info, ExitCodes) {
     EXPECT_EQ(
         run(write(R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{}]})")).code, 0);
-    const Printed warned = run(write(R"({"asset":{"version":"2.0"},"extensionsUsed":["EXT_a"],
+    const Printed noted = run(write(R"({"asset":{"version":"2.0"},"extensionsUsed":["EXT_a"],
         "scenes":[{"nodes":[0]}],"nodes":[{}]})"));
+    EXPECT_EQ(noted.code, 0);
+    EXPECT_NE(noted.text.find("Notes (1)\n  /extensionsUsed/0: "), std::string::npos) << noted.text;
+    const Printed warned = run(write(R"({"asset":{"version":"2.0"},"extensionsUsed":["EXT_a"],
+        "scenes":[{"nodes":[0]}],"nodes":[{"extensions":{"EXT_a":{}}}]})"));
     EXPECT_EQ(warned.code, 10);
     EXPECT_NE(warned.text.find("EXT_a, used: ignored"), std::string::npos) << warned.text;
     EXPECT_NE(warned.text.find("Warnings (1)\n  /extensionsUsed/0: "), std::string::npos)

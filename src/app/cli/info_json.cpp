@@ -202,10 +202,12 @@ std::string info_json(const InfoReport& report) {
     json.field("input", report.input).field("scene_file", report.scene_file);
     json.field("result", outcome(report));
     write_error(json, report.error);
-    write_list(json, "warnings", report.diagnostics.warnings(), [&](std::size_t, const Warning& w) {
+    const auto write_warning = [&](std::size_t, const Warning& w) {
         json.field("file", w.file).field("place", w.location).field("message", w.message);
         json.field("count", w.count);
-    });
+    };
+    write_list(json, "warnings", report.diagnostics.warnings(), write_warning);
+    write_list(json, "notes", report.diagnostics.notes(), write_warning);
     write_file(json, report.file);
     json.key("scene");
     if (report.flat) {

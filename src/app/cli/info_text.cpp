@@ -240,6 +240,9 @@ std::string info_text(const InfoReport& report) {
         describe_lights_and_cameras(out, *report.scene);
         describe_motion(out, report);
     }
+    out.section("Notes", report.diagnostics.notes(), [](std::size_t, const Warning& note) {
+        return Warning{"", note.location, note.message, note.count}.line();
+    });
     out.section("Warnings", report.diagnostics.warnings(), [](std::size_t, const Warning& warning) {
         return Warning{"", warning.location, warning.message, warning.count}.line();
     });
