@@ -112,9 +112,7 @@ Result<std::optional<PointedProperty>> PointerReader::read(const Json& target) {
     const auto known = find_property(*parts);
     if (!known) return std::nullopt;
     HM_TRY_ASSIGN(const bool found, leads_somewhere(parts->table, parts->owner, parts->rest));
-    if (!found)
-        return extension->invalid("pointer",
-                                  fmt::format("{} leads to nothing in the file", excerpt(pointer)));
+    if (!found) return std::nullopt;
     return PointedProperty{*known, parts->owner};
 }
 

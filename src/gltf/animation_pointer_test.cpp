@@ -128,7 +128,7 @@ TEST(AnimationPointer, WhatCannotBeAnimatedIsLeftOut) {
     }
 }
 
-TEST(AnimationPointer, Refusals) {
+TEST(AnimationPointer, RefusalsAndChannelsLeftOut) {
     Accessors more;
     const auto times = more.floats("SCALAR", 2, {0, 1});
     const auto unit = more.floats("SCALAR", 2, {0, 1});
@@ -138,12 +138,9 @@ TEST(AnimationPointer, Refusals) {
     };
     const std::string good = sampler(times, unit);
     const std::string visible = "/nodes/0/extensions/KHR_node_visibility/visible";
-    const char* at = "/animations/0/channels/0/target/extensions/KHR_animation_pointer/pointer";
     const char* output = "/animations/0/channels/0/sampler";
     const std::string twice = channel(0, "/cameras/0/perspective/yfov");
     expect_refused({
-        {"past the end", with("/materials/1/alphaCutoff", good), at, "leads to nothing"},
-        {"no such object", with("/materials/0/normalTexture/scale", good), at, "leads to nothing"},
         {"wrong kind", with("/materials/0/emissiveFactor", good), output, "can't have"},
         {"no steps", with(visible, sampler(times, bytes)), output, "steps of unsigned bytes"},
         {"floats", with(visible, sampler(times, unit, "STEP")), output, "steps of unsigned bytes"},
@@ -152,6 +149,11 @@ TEST(AnimationPointer, Refusals) {
         {"twice", everything(more, animations(twice + "," + twice, good)),
          "/animations/0/channels/1/target", "the same target"},
     });
+    for (const char* pointer : {"/materials/1/alphaCutoff", "/materials/0/normalTexture/scale"}) {
+        const Loaded loaded = load_text(document(with(pointer, good)));
+        ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+        EXPECT_EQ(loaded.warned("/animations/0/channels/0/target", "is missing"), 1u);
+    }
 }
 
 }  // namespace

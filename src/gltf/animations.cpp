@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <variant>
@@ -74,11 +76,8 @@ Result<std::vector<float>> read_times(const Json& json, Source& source) {
         return json.invalid("input", "times are scalars of floats");
     HM_TRY_ASSIGN(std::vector<float> times, read_values(json, source, index));
     check_limits(source, index, {times.data(), 1});
-    for (std::size_t i = 0; i < times.size(); ++i)
-        if (times[i] < 0 || (i > 0 && !(times[i] > times[i - 1])))
-            return json.invalid("input",
-                                fmt::format("element {} of accessor {}, {}, {}", i, index, times[i],
-                                            times[i] < 0 ? "is negative" : "does not increase"));
+    if (std::any_of(times.begin(), times.end(), [](float t) { return t < 0; }))
+        source.warn(accessor_place(index), "negative key times; they are played from 0 on");
     return times;
 }
 
@@ -87,14 +86,37 @@ struct FileSampler {
     std::size_t output;  // accessor
 };
 
+// Keys at one time are a jump: the last of them counts from that time on. Keys out of order are
+// sorted, each with its values.
+void repair_order(const Json& json, Source& source, AnimationSampler& sampler) {
+    const std::vector<float> times = sampler.times;
+    if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end())
+        return;
+    const bool sorted = std::is_sorted(times.begin(), times.end());
+    source.warn(json.pointer_of("input"),
+                sorted ? "several keys at one time; the value jumps there"
+                       : "key times that do not increase; the keys are sorted by time");
+    if (sorted || sampler.values.size() % times.size() != 0) return;  // the latter fails later
+    std::vector<std::size_t> order(times.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
+    const std::vector<float> values = sampler.values;
+    const std::size_t width = values.size() / times.size();
+    for (std::size_t key = 0; key < order.size(); ++key) {
+        sampler.times[key] = times[order[key]];
+        std::copy_n(values.begin() + std::ptrdiff_t(order[key] * width), width,
+                    sampler.values.begin() + std::ptrdiff_t(key * width));
+    }
+}
+
 Result<FileSampler> read_sampler(const Json& json, Source& source) {
     FileSampler out;
     HM_TRY_ASSIGN(out.sampler.interpolation, read_interpolation(json));
     HM_TRY_ASSIGN(out.sampler.times, read_times(json, source));
     HM_TRY_ASSIGN(out.output, required_accessor(json, source, "output"));
     HM_TRY_ASSIGN(out.sampler.values, read_values(json, source, out.output));
-    if (out.sampler.interpolation == Interpolation::cubic_spline && out.sampler.times.size() < 2)
-        return json.invalid("input", "a cubic spline has at least two keyframes");
+    repair_order(json, source, out.sampler);
     return out;
 }
 
@@ -219,7 +241,8 @@ Result<void> AnimationReader::read_pointer_channel(const Json& json, const Json&
                                                    std::size_t sampler) {
     HM_TRY_ASSIGN(const auto pointed, pointers_.read(target));
     if (!pointed) {
-        source_.warn(target.pointer(), "a channel whose target can't be animated is left out");
+        source_.warn(target.pointer(),
+                     "a channel whose target is missing or can't be animated is left out");
         return {};
     }
     if (const auto* property = std::get_if<AnimatedProperty>(&pointed->what)) {

@@ -88,9 +88,22 @@ Result<void> read_finite(const Source& source, std::size_t accessor, Target<floa
     return check_finite(source, accessor, {to.first, to.stride});
 }
 
-Result<void> check_values(const Source& source, std::size_t accessor) {
-    HM_TRY_ASSIGN(const std::vector<float> values, read_floats(source, accessor));
-    return check_finite(source, accessor, values);
+// Texture coordinates: NaN and infinity, which exporters write where an unwrapping failed, become
+// 0.
+Result<void> read_coordinates(Source& source, std::size_t accessor, Target<float> to) {
+    HM_TRY(read_floats_to(source, accessor, to));
+    std::atomic<std::size_t> bad_count = 0;
+    for_each_vertex(source.accessors[accessor].count, [&](std::size_t i) {
+        float* uv = to.first + i * to.stride;
+        if (std::isfinite(uv[0]) && std::isfinite(uv[1])) return;
+        for (std::size_t c = 0; c < 2; ++c)
+            if (!std::isfinite(uv[c])) uv[c] = 0;
+        ++bad_count;
+    });
+    if (bad_count != 0)
+        source.warn(accessor_place(accessor),
+                    "texture coordinates that are NaN or infinite; 0 is used", bad_count);
+    return {};
 }
 
 bool has_extras(const Attributes& attributes) {
@@ -192,12 +205,13 @@ Result<void> read_vertices(const Attributes& attributes, Source& source, Primiti
     check_limits(source, attributes.position, {&first.position.x, kVertexStride});
     if (attributes.normal) HM_TRY(read_normals(*attributes.normal, source, primitive));
     if (attributes.tangent) HM_TRY(read_tangents(*attributes.tangent, source, primitive));
-    if (attributes.uv0) HM_TRY(read_finite(source, *attributes.uv0, {&first.uv0.x, kVertexStride}));
-    if (attributes.uv1 && !attributes.uv1_is_read) HM_TRY(check_values(source, *attributes.uv1));
+    if (attributes.uv0)
+        HM_TRY(read_coordinates(source, *attributes.uv0, {&first.uv0.x, kVertexStride}));
     if (!has_extras(attributes)) return {};
     primitive.extras.assign(attributes.count, VertexExtra{vec2(0), vec4(1)});
     if (attributes.uv1 && attributes.uv1_is_read)
-        HM_TRY(read_finite(source, *attributes.uv1, {&primitive.extras[0].uv1.x, kExtraStride}));
+        HM_TRY(
+            read_coordinates(source, *attributes.uv1, {&primitive.extras[0].uv1.x, kExtraStride}));
     if (attributes.color) HM_TRY(read_colors(*attributes.color, source, primitive));
     return {};
 }

@@ -17,7 +17,7 @@ struct Attributes {
     std::optional<std::size_t> tangent;  // only with normals
     std::optional<std::size_t> uv0;
     std::optional<std::size_t> uv1;
-    bool uv1_is_read = true;  // by the material's textures; else it is checked and not kept
+    bool uv1_is_read = true;  // by the material's textures; otherwise it is not loaded
     std::optional<std::size_t> color;
     std::uint32_t count = 0;
 };

@@ -30,7 +30,7 @@ Result<void> check_target(const Json& view) {
 
 Result<ByteArray> read_uri(Source& source, const Json& owner, std::string_view uri) {
     if (is_data_uri(uri)) {
-        HM_TRY(take_memory(owner, source, uri.size() / 4 * 3));
+        HM_TRY(take_memory(owner, source, uri.size()));  // at least what it decodes to
         auto bytes = decode_data_uri(uri);
         if (!bytes) return owner.invalid("uri", bytes.error());
         return std::move(*bytes);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/text.h"
 #include "scene/choice_names.h"
@@ -17,7 +18,14 @@ Result<float> required_number(const Json& json, std::string_view key) {
     return json.required(key, json.number(key));
 }
 
-Result<void> read_perspective(const Json& json, Camera& camera) {
+// Nothing is clipped, so planes that the specification forbids do no harm.
+void check_planes(const Json& json, Source& source, bool near_is_valid, float near,
+                  std::optional<float> far) {
+    if (!near_is_valid || (far && *far <= near))
+        source.warn(json.pointer(), "invalid znear or zfar, which are not used");
+}
+
+Result<void> read_perspective(const Json& json, Source& source, Camera& camera) {
     camera.perspective = true;
     HM_TRY_ASSIGN(camera.yfov, required_number(json, "yfov"));
     if (camera.yfov <= 0 || camera.yfov >= kPi)
@@ -25,11 +33,9 @@ Result<void> read_perspective(const Json& json, Camera& camera) {
     HM_TRY_ASSIGN(const auto aspect_ratio, json.number("aspectRatio"));
     if (aspect_ratio && *aspect_ratio <= 0) return json.invalid("aspectRatio", "must be positive");
     camera.aspect_ratio = aspect_ratio.value_or(0);
-    // Nothing is clipped, but a file that breaks these rules is broken.
     HM_TRY_ASSIGN(const float near, required_number(json, "znear"));
-    if (near <= 0) return json.invalid("znear", "must be positive");
     HM_TRY_ASSIGN(const auto far, json.number("zfar"));
-    if (far && *far <= near) return json.invalid("zfar", "must be greater than znear");
+    check_planes(json, source, near > 0, near, far);
     return {};
 }
 
@@ -45,8 +51,7 @@ Result<void> read_orthographic(const Json& json, Source& source, Camera& camera)
     camera.ymag = std::abs(camera.ymag);
     HM_TRY_ASSIGN(const float near, required_number(json, "znear"));
     HM_TRY_ASSIGN(const float far, required_number(json, "zfar"));
-    if (near < 0) return json.invalid("znear", "must not be negative");
-    if (far <= near) return json.invalid("zfar", "must be greater than znear");
+    check_planes(json, source, near >= 0, near, far);
     return {};
 }
 
@@ -58,7 +63,7 @@ Result<Camera> read_camera(const Json& item, Source& source) {
         return item.invalid("type", fmt::format("{} is no camera", excerpt(type)));
     HM_TRY_ASSIGN(const Json json, item.required(type, item.object(type)));
     if (type == "perspective")
-        HM_TRY(read_perspective(json, camera));
+        HM_TRY(read_perspective(json, source, camera));
     else
         HM_TRY(read_orthographic(json, source, camera));
     return camera;

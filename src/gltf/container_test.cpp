@@ -32,6 +32,15 @@ TEST(Container, ReadsGlbWhateverItsName) {
     EXPECT_TRUE(load_text(glb(document(), "")).scene);
 }
 
+TEST(Container, ByteOrderMark) {
+    const std::string marked = "\xEF\xBB\xBF" + document();
+    for (const std::string& bytes : {marked, glb(marked, "")}) {
+        const Loaded loaded = load_text(bytes);
+        EXPECT_TRUE(loaded.scene) << loaded.scene.error().line();
+        EXPECT_TRUE(loaded.diagnostics.warnings().empty());
+    }
+}
+
 TEST(Container, ToleratesWithAWarning) {
     const std::string file = glb(chunk_document(), triangle_bytes());
     const std::string pointer = "byte " + std::to_string(file.size());

@@ -30,8 +30,9 @@ Result<JsonDocument> parse_document(std::span<const std::byte> text, const std::
         return hm::fail(ErrorKind::invalid, file, "", std::move(message));
     };
     const auto byte = [&](std::size_t i) { return std::to_integer<unsigned>(text[i]); };
+    // glTF forbids a byte order mark; RFC 8259 (8.1) lets a reader ignore it.
     if (text.size() >= 3 && byte(0) == 0xEF && byte(1) == 0xBB && byte(2) == 0xBF)
-        return reject("starts with a byte order mark, which glTF forbids");
+        text = text.subspan(3);
     if (text.size() >= 2 && (byte(0) == 0xFF || byte(0) == 0xFE) && byte(0) + byte(1) == 0x1FD)
         return reject("is UTF-16 text; glTF is UTF-8");
     HM_TRY_ASSIGN(auto document, JsonDocument::parse(text, file,

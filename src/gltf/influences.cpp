@@ -77,17 +77,31 @@ Result<std::vector<Set>> find_sets(const Json& attributes, Source& source, std::
     return sets;
 }
 
-Result<void> read_set(const Source& source, const Set& set, std::size_t number,
+// Rounding leaves weights a little below zero; they become zero. Fails where one is clearly
+// negative.
+Result<void> clamp_weights(Source& source, std::size_t accessor, std::vector<float>& weights) {
+    constexpr float kTolerance = 1e-3f;
+    std::size_t clamped = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        if (!(weights[i] < 0)) continue;
+        if (weights[i] < -kTolerance)
+            return fail(
+                ErrorKind::invalid, source.file, accessor_place(accessor),
+                fmt::format("element {} has the negative weight {}", i / kSetSize, weights[i]));
+        weights[i] = 0;
+        ++clamped;
+    }
+    if (clamped != 0)
+        source.warn(accessor_place(accessor), "joint weights just below 0, clamped", clamped);
+    return {};
+}
+
+Result<void> read_set(Source& source, const Set& set, std::size_t number,
                       const std::vector<std::uint32_t>& kept, Deformation& out) {
     HM_TRY_ASSIGN(const auto joints, read_integers(source, set.joints));
-    HM_TRY_ASSIGN(const auto weights, read_floats(source, set.weights));
+    HM_TRY_ASSIGN(auto weights, read_floats(source, set.weights));
     HM_TRY(check_finite(source, set.weights, weights));
-    const auto negative =
-        std::find_if(weights.begin(), weights.end(), [](float w) { return w < 0; });
-    if (negative != weights.end())
-        return fail(ErrorKind::invalid, source.file, accessor_place(set.weights),
-                    fmt::format("element {} has the negative weight {}",
-                                (negative - weights.begin()) / kSetSize, *negative));
+    HM_TRY(clamp_weights(source, set.weights, weights));
     for (std::size_t v = 0; v < out.joints.size() / out.influences; ++v) {
         const std::size_t from = kSetSize * (kept.empty() ? v : kept[v]);
         const std::size_t to = v * out.influences + number * kSetSize;

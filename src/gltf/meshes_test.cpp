@@ -75,8 +75,21 @@ TEST(Meshes, ExtrasOnlyWhereGivenAndRead) {
     ASSERT_TRUE(without.scene) << without.scene.error().line();
     EXPECT_TRUE(first(without).extras.empty());
     const std::string nan = bytes_of(std::vector<float>{std::numeric_limits<float>::quiet_NaN()});
-    expect_refused({{"a NaN that nothing reads", with_bytes(72, nan, unread), "/accessors/2",
-                     "element 0 is not a number"}});
+    const Loaded ignored = load_text(document(with_bytes(72, nan, unread)));
+    ASSERT_TRUE(ignored.scene) << ignored.scene.error().line();
+    EXPECT_TRUE(ignored.diagnostics.warnings().empty());
+}
+
+TEST(Meshes, NanCoordinatesBecomeZero) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity();
+    const Loaded loaded =
+        load_text(document(with_bytes(72, bytes_of(std::vector<float>{nan, 0.5f, 0.25f, infinity}),
+                                      R"({"attributes":{"POSITION":0,"TEXCOORD_0":2}})")));
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    EXPECT_EQ(first(loaded).vertices[0].uv0, vec2(0, 0.5f));
+    EXPECT_EQ(first(loaded).vertices[1].uv0, vec2(0.25f, 0));
+    EXPECT_EQ(loaded.warned("/accessors/2", "NaN or infinite"), 2u);
 }
 
 TEST(Meshes, NormalizedTextureCoordinates) {

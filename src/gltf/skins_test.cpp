@@ -25,6 +25,7 @@ struct Parts {
         all.floats("VEC4", 3, {1, 0, 0, 0, 1, 0, 0, 0, 2, -1, 0, 0});             // 12
         all.floats("MAT4", 2, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1,    // 13
                                1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+        all.floats("VEC4", 3, {1, -6e-8f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});  // 14
     }
 };
 
@@ -110,6 +111,14 @@ TEST(Skins, Refusals) {
         {"no such skeleton", file(kOneSet, R"([{"joints":[1,2],"skeleton":9}])"),
          "/skins/0/skeleton", "past the end"},
     });
+}
+
+TEST(Skins, RoundedWeightsAreClamped) {
+    const Loaded loaded =
+        load_text(document(file(R"("JOINTS_0":6,"WEIGHTS_0":14)", R"([{"joints":[1,2]}])")));
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    EXPECT_EQ(loaded.warned("/accessors/14", "just below 0"), 1u);
+    EXPECT_EQ(loaded.scene->meshes.at(0).primitives.at(0).deformation->weights.at(1), 0.0f);
 }
 
 TEST(Skins, OddHierarchiesAreDrawnWithAWarning) {

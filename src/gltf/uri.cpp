@@ -85,6 +85,13 @@ UriResult<std::string> decode_percent(std::string_view text) {
     return decoded;
 }
 
+UriResult<ByteArray> decode_percent_bytes(std::string_view text) {
+    const auto decoded = decode_percent(text);
+    if (!decoded) return tl::unexpected(decoded.error());
+    const auto* first = reinterpret_cast<const std::byte*>(decoded->data());
+    return ByteArray(first, first + decoded->size());
+}
+
 }  // namespace
 
 bool is_data_uri(std::string_view uri) {
@@ -96,10 +103,11 @@ UriResult<ByteArray> decode_data_uri(std::string_view uri) {
     if (comma == std::string_view::npos) return refuse("data URI without a comma");
     constexpr std::string_view kMarker = ";base64";
     const std::string_view header = uri.substr(0, comma);
-    if (header.size() < kMarker.size() ||
-        !equal_ignoring_case(header.substr(header.size() - kMarker.size()), kMarker))
-        return refuse("data URI that is not base64");
-    auto bytes = decode_base64(uri.substr(comma + 1));
+    const std::string_view data = uri.substr(comma + 1);
+    const bool is_base64 =
+        header.size() >= kMarker.size() &&
+        equal_ignoring_case(header.substr(header.size() - kMarker.size()), kMarker);
+    auto bytes = is_base64 ? decode_base64(data) : decode_percent_bytes(data);
     if (!bytes) return tl::unexpected<std::string>("data URI: " + bytes.error());
     return bytes;
 }
@@ -142,9 +150,11 @@ UriResult<void> check_inside(const std::filesystem::path& path,
                              const std::filesystem::path& folder) {
     namespace fs = std::filesystem;
     std::error_code error;
-    const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    // Absolute first: weakly_canonical leaves the relative path of a missing file relative.
+    const fs::path root =
+        fs::weakly_canonical(fs::absolute(folder.empty() ? fs::path(".") : folder), error);
     if (error) return tl::unexpected(error.message());
-    const fs::path real = fs::weakly_canonical(path, error);
+    const fs::path real = fs::weakly_canonical(fs::absolute(path), error);
     if (error) return tl::unexpected(error.message());
     const auto [left, unused] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());
     if (left != root.end())

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "gltf/test_files.h"
 
@@ -27,11 +28,13 @@ TEST(DataUri, DecodesEveryLengthAndByte) {
     EXPECT_EQ(decoded("DATA:image/png;BASE64,TWFu"), "Man");
     EXPECT_EQ(decoded("data:;base64,TWE="), "Ma");
     EXPECT_EQ(decoded("data:;base64,TQ=="), "M");
+    EXPECT_EQ(decoded("data:,hello"), "hello");
+    EXPECT_EQ(decoded("data:text/plain;charset=utf-8,%00a%fF%2c"), std::string("\0a\xff,", 4));
 }
 
 TEST(DataUri, IsStrict) {
     for (const char* uri :
-         {"data:;base64", "data:,hello", "data:text/plain,hello", "data:;base64,TWF",
+         {"data:;base64", "data:,%", "data:text/plain,%4", "data:,%4g", "data:;base64,TWF",
           "data:;base64,TWF ", "data:;base64,TW=u",
           "data:;base64,TQ=", "data:;base64,T===", "data:;base64,====", "data:;base64,TR==",
           "data:;base64,TWF=", "data:;base64,TW\nE=", "data:;base64,TW-_"})
@@ -111,6 +114,18 @@ TEST(Uri, SymbolicLinksThatLeadOut) {
     EXPECT_EQ(load("data/leak/tri.bin", true), std::nullopt);
     EXPECT_EQ(load(secret.string(), false), ErrorKind::invalid);
     EXPECT_EQ(load(secret.string(), true), std::nullopt);
+}
+
+// A file opened by its bare name has an empty folder.
+TEST(Uri, MissingFileOfTheWorkingFolder) {
+    Diagnostics diagnostics;
+    const std::string text =
+        document({{"buffers", R"([{"uri":"no such file.bin","byteLength":164}])"}});
+    const auto scene =
+        load_gltf_bytes(std::as_bytes(std::span(text)), "scene.gltf", diagnostics, {});
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().kind, ErrorKind::unreadable);
+    EXPECT_NE(scene.error().message.find("no such file.bin"), std::string::npos);
 }
 
 TEST(Uri, ExternalFiles) {

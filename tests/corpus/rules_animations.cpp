@@ -24,12 +24,14 @@ void add_sampler_rules(std::vector<Case>& cases) {
           "times are scalars of floats");
     input("input-integers", "input: floats", {set("/accessors/5/componentType", "5125")},
           "times are scalars of floats");
-    input("input-order", "input: strictly increasing", {put(260, floats({1, 0}))},
-          "element 1 of accessor 5, 0, does not increase");
-    input("input-equal", "input: strictly increasing",
-          {put(260, floats({0, 0})), set("/accessors/5/max", "[0]")}, "does not increase");
-    input("input-below-zero", "input: not negative",
-          {put(260, floats({-1, 1})), set("/accessors/5/min", "[-1]")}, "is negative");
+    sampler.rule("input-order", "input: strictly increasing", {put(260, floats({1, 0}))},
+                 warned(sampler.pointer("input"), "key times that do not increase", kRepaired));
+    sampler.rule("input-equal", "input: strictly increasing",
+                 {put(260, floats({0, 0})), set("/accessors/5/max", "[0]")},
+                 warned(sampler.pointer("input"), "several keys at one time", kRepaired));
+    sampler.rule("input-below-zero", "input: not negative",
+                 {put(260, floats({-1, 1})), set("/accessors/5/min", "[-1]")},
+                 warned("/accessors/5", "negative key times", kRepaired));
     sampler.rule("input-no-limits", "input: has min and max", {drop("/accessors/5/min")},
                  warned("/accessors/5", "lacks the min and max", kRepaired));
     const auto output = [&](const char* slug, const char* rule, Edits edits, int channel,

@@ -10,6 +10,18 @@ void positive(Object& object, std::string_view key, std::string_view message) {
     object.value(key, "negative", "-1", "is greater than 0", message);
 }
 
+Expected invalid_planes(const Object& view) {
+    return warned(view.pointer(""), "invalid znear or zfar", kUnread);
+}
+
+// Planes clip nothing here.
+void add_plane_rules(Object& view) {
+    for (const char* value : {"0", "-1"}) {
+        const char* slug = *value == '0' ? "zero" : "negative";
+        view.value("zfar", slug, value, "is greater than 0", "").expect(invalid_planes(view));
+    }
+}
+
 void add_perspective_rules(std::vector<Case>& cases) {
     Object view(cases, "perspective", "5.14", "/cameras/0/perspective");
     for (const char* key : {"yfov", "znear"}) {
@@ -22,10 +34,11 @@ void add_perspective_rules(std::vector<Case>& cases) {
     view.value("yfov", "pi", "3.2", "is less than pi", "is not between 0 and pi")
         .silent(kOnlyWarns);
     positive(view, "aspectRatio", "must be positive");
-    positive(view, "znear", "must be positive");
-    positive(view, "zfar", "must be greater than znear");
-    view.value("zfar", "below-znear", "0.05", "is greater than znear",
-               "must be greater than znear");
+    view.value("znear", "zero", "0", "is greater than 0", "").expect(invalid_planes(view));
+    view.value("znear", "negative", "-1", "is greater than 0", "").expect(invalid_planes(view));
+    add_plane_rules(view);
+    view.value("zfar", "below-znear", "0.05", "is greater than znear", "")
+        .expect(invalid_planes(view));
     view.common(false);
 }
 
@@ -41,11 +54,10 @@ void add_orthographic_rules(std::vector<Case>& cases) {
             .expect(warned(view.pointer(""), "negative magnification", kRepaired))
             .silent(kOnlyWarns);
     }
-    view.value("znear", "negative", "-1", "is at least 0", "must not be negative");
-    positive(view, "zfar", "must be greater than znear");
+    view.value("znear", "negative", "-1", "is at least 0", "").expect(invalid_planes(view));
+    add_plane_rules(view);
     view.rule("zfar-below-znear", "zfar: is greater than znear",
-              {set("/cameras/1/orthographic/znear", "11")},
-              refused("/cameras/1/orthographic/zfar", "must be greater than znear"));
+              {set("/cameras/1/orthographic/znear", "11")}, invalid_planes(view));
     view.common(false);
 }
 
