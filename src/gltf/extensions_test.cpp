@@ -62,6 +62,14 @@ TEST(Instancing, EveryAttribute) {
     EXPECT_NEAR(double(second.z), 6, 1e-5);
 }
 
+TEST(Instancing, ColoursAreAWarning) {
+    const Loaded loaded = load_text(document(instanced(R"("TRANSLATION":1,"_COLOR_0":2)")));
+    ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
+    EXPECT_EQ(loaded.warned("/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/_COLOR_0",
+                            "are not read"),
+              1u);
+}
+
 TEST(Instancing, Refusals) {
     const std::string at = "/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes";
     expect_refused({

@@ -79,6 +79,10 @@ Result<std::vector<glm::mat4>> read_instances(const Json& node, Source& source) 
     if (columns.count == 0)
         return attributes.invalid("",
                                   "has no TRANSLATION, ROTATION or SCALE to count instances by");
+    // Written by three.js and Babylon.js; the extension leaves other attributes to applications.
+    if (attributes.has("_COLOR_0"))
+        source.warn(attributes.pointer_of("_COLOR_0"),
+                    "colours of instances are not read; all have the mesh's own");
     constexpr std::uint64_t kBytes = sizeof(glm::mat4) + sizeof(InstanceData);
     HM_TRY(take_memory(attributes, source, kBytes * columns.count));
     return make_transforms(attributes, columns);
