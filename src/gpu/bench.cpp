@@ -104,14 +104,14 @@ Result<void> measure_ways(GpuContext& context, const GpuScene& scene, const Scra
     const std::uint32_t height = scratch.accumulation.info().height;
     HM_TRY_ASSIGN(const PathTracingPass* paths,
                   context.path_tracing({.settings = settings_of(params)}));
-    for (const auto& [name, launches] : kWays) {
+    for (const auto& way : kWays) {
         const auto record = [&](rhi::Commands& commands) {
             paths->record(commands, scene,
                           {scratch.accumulation, scratch.removed, scratch.counters}, range, height,
-                          launches);
+                          way.second);
         };
         HM_TRY_ASSIGN(const double ms, median_ms(context.device(), repeats, record));
-        rates.ways.emplace_back(name, ms / rates.several);
+        rates.ways.emplace_back(way.first, ms / rates.several);
     }
     return {};
 }
