@@ -30,7 +30,7 @@ std::string missed_hint(const RenderSummary& summary) {
 }
 
 std::string unlit_hint(const RenderOptions& options, const RenderSummary& summary) {
-    std::string text = "the picture is black: no light reaches what the camera sees";
+    std::string text = "the picture is black: no light reaches the camera";
     if (options.settings.light.environment == EnvironmentKind::none)
         text += "; without --env none a default environment lights it";
     else if (summary.environment == "none")
