@@ -18,7 +18,7 @@
 namespace hm::gltf {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "buffers are read as they stand");
+static_assert(std::endian::native == std::endian::little, "buffers are read without byte swapping");
 
 template <class T>
 T load(const std::byte* at) {
@@ -27,7 +27,7 @@ T load(const std::byte* at) {
     return value;
 }
 
-// A stored component as glTF's rules for normalized integers say (3.6.2.2).
+// Converts a stored component by glTF's rules for normalized integers (3.6.2.2).
 template <class T>
 float to_float(T value, bool normalized) {
     if constexpr (std::is_floating_point_v<T>) {
@@ -47,7 +47,7 @@ struct Elements {
     std::size_t width;  // components each
 };
 
-// Elements that one thread takes at a time.
+// Elements per task.
 constexpr std::size_t kGrain = 1 << 16;
 
 template <class Body>
@@ -74,7 +74,7 @@ void decode_range(const Elements& from, bool normalized, Target<Out> to, std::si
     }
 }
 
-// A width that the compiler knows makes short loops of the common types.
+// A compile-time width lets the compiler unroll the inner loop for common types.
 template <class T, class Out>
 void decode_as(const Elements& from, bool normalized, Target<Out> to) {
     for_ranges(from.count, [&](std::size_t begin, std::size_t end) {
@@ -116,9 +116,10 @@ Result<std::vector<std::uint32_t>> sparse_indices(const Source& source, std::siz
         const bool rises = i == 0 || indices[i] > indices[i - 1];
         if (!rises || indices[i] >= source.accessors[accessor].count)
             return fail(ErrorKind::invalid, source.file,
-                        accessor_place(accessor) + "/sparse/indices",
+                        accessor_pointer(accessor) + "/sparse/indices",
                         fmt::format("index {} (element {}) {}", indices[i], i,
-                                    rises ? "is past the accessor's end" : "does not increase"));
+                                    rises ? "is past the end of the accessor"
+                                          : "is not greater than the one before"));
     }
     return indices;
 }
@@ -139,7 +140,7 @@ Result<void> read_sparse(const Source& source, std::size_t index, Target<Out> to
     return {};
 }
 
-// A component as `min` and `max` have it as one of the decoded elements.
+// Converts a component of `min` or `max` like a decoded element's.
 float decoded(float stored, const Accessor& accessor) {
     if (!accessor.normalized) return stored;
     switch (accessor.component) {
@@ -162,7 +163,7 @@ struct Limits {
     std::array<float, 16> min, max;
 };
 
-// Of each component, the least and the greatest.
+// The minimum and maximum of each component.
 Limits limits_of(std::size_t count, std::size_t width, Target<const float> values) {
     Limits none;
     none.min.fill(std::numeric_limits<float>::infinity());
@@ -214,7 +215,7 @@ Result<std::vector<Out>> read_all(const Source& source, std::size_t index) {
 
 }  // namespace
 
-std::string accessor_place(std::size_t accessor) {
+std::string accessor_pointer(std::size_t accessor) {
     return fmt::format("/accessors/{}", accessor);
 }
 
@@ -247,7 +248,7 @@ Result<void> check_finite(const Source& source, std::size_t accessor, Target<con
     std::atomic<std::size_t> first_bad = count;
     for_ranges(count, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            // The sum of zeros is zero, a NaN or an infinity makes it a NaN.
+            // x * 0 is 0 for finite x and NaN otherwise.
             float sum = 0;
             for (std::size_t c = 0; c < width; ++c)
                 sum += values.first[i * values.stride + c] * 0.0f;
@@ -261,27 +262,28 @@ Result<void> check_finite(const Source& source, std::size_t accessor, Target<con
     if (bad == count) return {};
     const float* element = values.first + bad * values.stride;
     const bool nan = std::any_of(element, element + width, [](float x) { return std::isnan(x); });
-    return fail(ErrorKind::invalid, source.file, accessor_place(accessor),
-                fmt::format("element {} is {}", bad, nan ? "not a number" : "infinite"));
+    return fail(ErrorKind::invalid, source.file, accessor_pointer(accessor),
+                fmt::format("element {} is {}", bad, nan ? "NaN" : "infinite"));
 }
 
 void check_limits(Source& source, std::size_t index, Target<const float> values) {
     const Accessor& accessor = source.accessors[index];
     if (accessor.min.empty() || accessor.max.empty())
-        return source.warn(accessor_place(index), "lacks the min and max that its use requires");
+        return source.warn(accessor_pointer(index),
+                           "min and max are missing, which this use requires");
     const std::size_t width = accessor.min.size();
     const Limits found = limits_of(accessor.count, width, values);
     for (std::size_t c = 0; c < width; ++c)
         if (decoded(accessor.min[c], accessor) != found.min[c] ||
             decoded(accessor.max[c], accessor) != found.max[c])
-            return source.warn(accessor_place(index),
-                               "its min and max are not those of its elements, which are used");
+            return source.warn(accessor_pointer(index),
+                               "min and max do not match the elements; the elements are used");
 }
 
 void check_alignment(Source& source, std::size_t index) {
     const Accessor& accessor = source.accessors[index];
     if (accessor.view && (accessor.offset % 4 != 0 || accessor.stride % 4 != 0))
-        source.warn(accessor_place(index), "vertex data that is not aligned to 4 bytes");
+        source.warn(accessor_pointer(index), "vertex data is not aligned to 4 bytes");
 }
 
 }  // namespace hm::gltf

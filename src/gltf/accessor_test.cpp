@@ -1,4 +1,4 @@
-// Buffers, buffer views and accessors: what is decoded, what is refused.
+// Buffers, buffer views and accessors: decoding and rejected files.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -44,10 +44,10 @@ TEST(BufferView, BoundsAndStride) {
          "/bufferViews/0", "buffer of 164"},
         {"offset past the end", view(R"([{"buffer":0,"byteOffset":165,"byteLength":1}])"),
          "/bufferViews/0", "buffer of 164"},
-        {"wraps 64 bits",
+        {"overflows 64 bits",
          view(R"([{"buffer":0,"byteOffset":18446744073709551615,"byteLength":2}])"),
          "/bufferViews/0/byteOffset", "2^53"},
-        {"as far as numbers go",
+        {"largest offset",
          view(R"([{"buffer":0,"byteOffset":9007199254740992,"byteLength":9007199254740992}])"),
          "/bufferViews/0", "buffer of 164"},
         {"stride 2", view(R"([{"buffer":0,"byteLength":36,"byteStride":2}])"),
@@ -66,14 +66,14 @@ TEST(Buffer, Refusals) {
          "is required"},
         {"empty", buffer(R"([{"byteLength":0}])"), "/buffers/0/byteLength", "must not be 0"},
         {"data too short", buffer(R"([{"uri":"data:;base64,AAAA","byteLength":4}])"),
-         "/buffers/0/byteLength", "there are only 3"},
+         "/buffers/0/byteLength", "only 3 are available"},
         {"bad base64", buffer(R"([{"uri":"data:;base64,AAA","byteLength":3}])"), "/buffers/0/uri",
          "base64"},
         {"uri is a number", buffer(R"([{"uri":1,"byteLength":3}])"), "/buffers/0/uri",
          "expected a string"},
         {"no data", buffer(R"([{"byteLength":164}])"), "/buffers/0", "neither a uri"},
     });
-    // Longer than it says is fine.
+    // More data than byteLength is allowed.
     const std::string longer = buffers(triangle_bytes() + "more");
     EXPECT_TRUE(load_text(document({{"buffers", longer}})).scene);
 }
@@ -87,13 +87,13 @@ TEST(Accessor, Refusals) {
         {"no component type", accessor(R"({"type":"VEC3","count":3})"),
          "/accessors/0/componentType", "is required"},
         {"32-bit signed", accessor(R"({"componentType":5124,"type":"VEC3","count":3})"),
-         "/accessors/0/componentType", "no component type"},
+         "/accessors/0/componentType", "not a component type"},
         {"double", accessor(R"({"componentType":5130,"type":"VEC3","count":3})"),
-         "/accessors/0/componentType", "no component type"},
+         "/accessors/0/componentType", "not a component type"},
         {"no type", accessor(R"({"componentType":5126,"count":3})"), "/accessors/0/type",
          "is required"},
         {"VEC5", accessor(R"({"componentType":5126,"type":"VEC5","count":3})"), "/accessors/0/type",
-         "\"VEC5\" is no element type"},
+         "\"VEC5\" is not an element type"},
         {"no count", accessor("{" + vec3s + "}"), "/accessors/0/count", "is required"},
         {"count 0", accessor("{" + vec3s + R"(,"count":0})"), "/accessors/0/count", "1 to"},
         {"count 2^32", accessor("{" + vec3s + R"(,"count":4294967296})"), "/accessors/0/count",
@@ -112,17 +112,17 @@ TEST(Accessor, Refusals) {
         {"normalized is a flag",
          accessor("{" + vec3s + R"(,"count":3,"bufferView":0,"normalized":1})"),
          "/accessors/0/normalized", "expected a boolean"},
-        {"zeros without end", accessor("{" + vec3s + R"(,"count":4294967290})"),
+        {"huge array of zeros", accessor("{" + vec3s + R"(,"count":4294967290})"),
          "/meshes/0/primitives/0", "bytes of memory"},
         {"narrow stride",
          one_accessor(triangle_bytes(), R"({"buffer":0,"byteLength":36,"byteStride":8})",
                       "{" + vec3s + R"(,"count":3,"bufferView":0})"),
-         "/accessors/0/bufferView", "less than an element's 12"},
+         "/accessors/0/bufferView", "less than the element size, 12"},
     });
 }
 
 TEST(Accessor, StrideAndOffset) {
-    // x y z and a float between, the first element 4 bytes into the view.
+    // x, y, z and a float of padding; the first element starts at byte 4 of the view.
     const std::string bytes = bytes_of(std::vector<float>{9, 9, 1, 2, 3, 9, 4, 5, 6, 9, 7, 8, 10});
     const Loaded loaded = load_text(document(one_accessor(
         bytes, R"({"buffer":0,"byteOffset":4,"byteLength":48,"byteStride":16})",
@@ -130,7 +130,7 @@ TEST(Accessor, StrideAndOffset) {
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
     EXPECT_EQ(only_primitive(loaded).vertices[0].position, vec3(1, 2, 3));
     EXPECT_EQ(only_primitive(loaded).vertices[2].position, vec3(7, 8, 10));
-    // The last element needs no full stride, but each of its own bytes.
+    // The last element must be complete, but without the stride's padding.
     expect_refused({{"a byte short",
                      one_accessor(bytes, R"({"buffer":0,"byteLength":47,"byteStride":16})",
                                   R"({"bufferView":0,"byteOffset":4,"componentType":5126,
@@ -162,12 +162,12 @@ TEST(Accessor, LimitsAreThoseOfTheElements) {
         all["extensionsUsed"] = R"(["KHR_mesh_quantization"])";
         return load_text(document(all));
     };
-    // Of normalized integers the limits are the integers.
+    // min and max of normalized integers are the integers.
     EXPECT_EQ(load(R"(,"min":[-32768,0,0],"max":[32767,5,1])").warned("/accessors/0", "min"), 0u);
     EXPECT_EQ(load(R"(,"min":[-32768,0,0],"max":[32767,6,1])")
-                  .warned("/accessors/0", "not those of its elements"),
+                  .warned("/accessors/0", "do not match the elements"),
               1u);
-    EXPECT_EQ(load(R"(,"max":[32767,5,1])").warned("/accessors/0", "lacks the min"), 1u);
+    EXPECT_EQ(load(R"(,"max":[32767,5,1])").warned("/accessors/0", "min and max are missing"), 1u);
 }
 
 // Positions 0..3 in view 0, sparse indices (u8) in view 1, values in view 2.
@@ -208,19 +208,20 @@ TEST(Accessor, Sparse) {
         {"index past the end", sparse({0, 3}, "", 2), "/accessors/0/sparse/indices",
          "index 3 (element 1) is past"},
         {"not increasing", sparse({1, 1}, "", 2), "/accessors/0/sparse/indices",
-         "element 1) does not increase"},
-        {"more than elements", sparse({0, 1}, "", 4), "/accessors/0/sparse/count", "4 of 3"},
-        {"none", sparse({0}, "", 0), "/accessors/0/sparse/count", "0 of 3"},
+         "element 1) is not greater"},
+        {"more than elements", sparse({0, 1}, "", 4), "/accessors/0/sparse/count",
+         "4 is not between 1 and"},
+        {"none", sparse({0}, "", 0), "/accessors/0/sparse/count", "0 is not between 1 and"},
         {"indices cut", sparse({0}, "", 2), "/accessors/0/sparse/indices",
-         "2 elements pass the end of buffer view 1"},
+         "2 elements extend past the end of buffer view 1"},
         {"values cut", sparse({0, 1, 2}, "", 3), "/accessors/0/sparse/values",
-         "3 elements pass the end of buffer view 2"},
+         "3 elements extend past the end of buffer view 2"},
         {"signed indices", signed_indices, "/accessors/0/sparse/indices/componentType", "unsigned"},
         {"no values", no_values, "/accessors/0/sparse/values", "is required"},
     });
 }
 
-// A file that names one vertex buffer from many primitives decodes to more than its size.
+// A vertex buffer referenced by many primitives decodes to more than the file's size.
 TEST(Accessor, SharedDataIsBounded) {
     const std::string one = R"({"indices":3,"attributes":{"POSITION":0}})";
     const std::string text =

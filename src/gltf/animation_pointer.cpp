@@ -12,9 +12,9 @@
 namespace hm::gltf {
 namespace {
 
-// "#" stands for the owner's number. The glTF 2.0 Asset Object Model lists all that may be pointed
-// at. Materials have a list of their own (scene/material_parameters.h); what is missing in both
-// (texture transforms, single weights, a mesh's weights) is left out with a warning.
+// "#" is the owner's index. The glTF 2.0 Asset Object Model lists all valid pointers. Materials
+// have their own list (scene/material_parameters.h); channels with pointers that are in neither
+// (texture transforms, single weights, a mesh's weights) are ignored with a warning.
 struct Property {
     std::string_view pointer;
     Pointed what;
@@ -40,7 +40,7 @@ constexpr std::array<Property, 17> kProperties{{
     {"/cameras/#/orthographic/zfar", {}},
 }};
 
-// "/materials/3/normalTexture/scale" in its parts: "/materials", 3, "/normalTexture/scale".
+// "/materials/3/normalTexture/scale" is split into "/materials", 3, "/normalTexture/scale".
 struct Parts {
     std::string_view table;
     std::size_t owner = 0;
@@ -55,7 +55,7 @@ std::optional<Parts> split(std::string_view pointer) {
     const char* const end = pointer.data() + pointer.size();
     Parts out;
     const auto [stopped, error] = std::from_chars(first, end, out.owner);
-    // A number of RFC 6901 has no leading zeros.
+    // Array indices have no leading zeros (RFC 6901).
     if (error != std::errc() || stopped == end || (*first == '0' && stopped - first > 1))
         return std::nullopt;
     out.table = pointer.substr(0, slash);
@@ -80,9 +80,10 @@ std::optional<Pointed> find_property(const Parts& parts) {
 
 }  // namespace
 
-// A file may have as many channels as owners, so none is looked for from the table's start.
-Result<bool> PointerReader::leads_somewhere(std::string_view table, std::size_t owner,
-                                            std::string_view rest) {
+// The tables are cached: a file may have as many channels as owners, and searching the array for
+// each would be quadratic.
+Result<bool> PointerReader::target_exists(std::string_view table, std::size_t owner,
+                                          std::string_view rest) {
     auto known = tables_.find(table);
     if (known == tables_.end()) {
         std::vector<Json> items;
@@ -96,7 +97,7 @@ Result<bool> PointerReader::leads_somewhere(std::string_view table, std::size_t 
         }
         known = tables_.emplace(table, std::move(items)).first;
     }
-    // The property itself may be its default, but what it is of has to be there.
+    // The property may be absent (its default applies), but the object that holds it must exist.
     if (owner >= known->second.size()) return false;
     const auto found = known->second[owner].at(rest.substr(0, rest.rfind('/')));
     return found && found->type() == JsonType::object;
@@ -111,7 +112,7 @@ Result<std::optional<PointedProperty>> PointerReader::read(const Json& target) {
     if (!parts) return std::nullopt;
     const auto known = find_property(*parts);
     if (!known) return std::nullopt;
-    HM_TRY_ASSIGN(const bool found, leads_somewhere(parts->table, parts->owner, parts->rest));
+    HM_TRY_ASSIGN(const bool found, target_exists(parts->table, parts->owner, parts->rest));
     if (!found) return std::nullopt;
     return PointedProperty{*known, parts->owner};
 }

@@ -1,4 +1,4 @@
-// KHR_animation_pointer: which property of the scene a channel's JSON pointer means.
+// KHR_animation_pointer: resolves a channel's JSON pointer to a property of the scene.
 #pragma once
 
 #include <cstddef>
@@ -13,28 +13,28 @@
 
 namespace hm::gltf {
 
-// std::monostate: the property exists, but changes no picture.
+// std::monostate: the property exists, but does not affect the picture.
 using Pointed = std::variant<std::monostate, AnimatedProperty, AnimatedValue>;
 
 struct PointedProperty {
     Pointed what;
-    std::size_t owner = 0;  // the file's number of the node, material, light or camera
+    std::size_t owner = 0;  // index of the node, material, light or camera in the file
 };
 
 class PointerReader {
   public:
     explicit PointerReader(const Json& root) : root_(root) {}
 
-    // `target` is a channel's. Nothing where the property is not one that this program animates.
-    // Fails if the pointer refers to nothing in the file.
+    // `target` is the channel's target object. Returns nullopt if the pointer refers to nothing in
+    // the file or to a property that cannot be animated here. Fails if the JSON is invalid.
     Result<std::optional<PointedProperty>> read(const Json& target);
 
   private:
-    Result<bool> leads_somewhere(std::string_view table, std::size_t owner, std::string_view rest);
+    Result<bool> target_exists(std::string_view table, std::size_t owner, std::string_view rest);
 
     const Json& root_;
     std::map<std::string, std::vector<Json>, std::less<>>
-        tables_;  // those used so far, by their pointers
+        tables_;  // those read so far, by JSON pointer
 };
 
 }  // namespace hm::gltf

@@ -1,5 +1,5 @@
-// KHR_animation_pointer and KHR_node_visibility through it: what moves, what the rest pose brings
-// back, and what is refused.
+// KHR_animation_pointer, also with KHR_node_visibility: animated values, restoring the rest pose,
+// and rejected files.
 #include <cmath>
 
 #include "gltf/test_accessors.h"
@@ -24,7 +24,7 @@ std::string sampler(std::size_t input, std::size_t output, const char* interpola
                        interpolation);
 }
 
-// A scene with something of everything that can be pointed at.
+// A scene with an object of every kind that pointers can refer to.
 Overrides everything(const Accessors& more, const std::string& animations) {
     return more.with({
         {"materials", R"([{"pbrMetallicRoughness":{"metallicFactor":0.25},"emissiveFactor":[1,1,1],
@@ -44,7 +44,8 @@ TEST(AnimationPointer, MovesFactorsLightsAndCameras) {
     const auto unit = more.floats("SCALAR", 2, {0, 1});
     const auto color = more.floats("VEC4", 2, {0, 0, 0, 0, 1, 1, 1, 1});
     const auto triple = more.floats("VEC3", 2, {0, 0, 0, 1, 2, 4});
-    const auto bytes = more.add<std::uint8_t>("SCALAR", 5121, 2, {0, 10});  // 0 and 10 as they are
+    const auto bytes =
+        more.add<std::uint8_t>("SCALAR", 5121, 2, {0, 10});  // 0 and 10, not normalized
     const std::string pbr = "/materials/0/pbrMetallicRoughness/";
     const std::string light = "/extensions/KHR_lights_punctual/lights/0/";
     Loaded loaded = load_text(document(everything(
@@ -62,7 +63,7 @@ TEST(AnimationPointer, MovesFactorsLightsAndCameras) {
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
     EXPECT_TRUE(loaded.diagnostics.warnings().empty()) << loaded.diagnostics.warnings()[0].line();
     Scene& scene = *loaded.scene;
-    EXPECT_EQ(scene.materials[0].metallic, 0.25f);  // at rest until asked for
+    EXPECT_EQ(scene.materials[0].metallic, 0.25f);  // the rest pose
     ASSERT_TRUE(pose_scene(scene, PoseTime{0, 1}));
     EXPECT_EQ(scene.materials[0].metallic, 0.5f);
     EXPECT_EQ(scene.materials[0].base_color, vec4(0.5f));
@@ -73,7 +74,7 @@ TEST(AnimationPointer, MovesFactorsLightsAndCameras) {
     EXPECT_EQ(scene.lights[0].inner_cone, 0.5f);
     EXPECT_EQ(scene.cameras[0].yfov, 0.5f);
     ASSERT_TRUE(pose_scene(scene, PoseTime{0, 0}));
-    EXPECT_GT(scene.cameras[0].yfov, 0);  // no field of view is none: the least there is
+    EXPECT_GT(scene.cameras[0].yfov, 0);  // clamped to the minimum field of view
     ASSERT_TRUE(pose_scene(scene, std::nullopt));
     EXPECT_EQ(scene.materials[0].metallic, 0.25f);
     EXPECT_EQ(scene.materials[0].emissive(), vec3(3));
@@ -84,7 +85,7 @@ TEST(AnimationPointer, MovesFactorsLightsAndCameras) {
 TEST(AnimationPointer, SplinesStayWithinWhatAFactorMayBe) {
     Accessors more;
     const auto times = more.floats("SCALAR", 2, {0, 1});
-    // From 1 to 1 with steep tangents: 1 + 8 (t^3 - 2t^2 + t) at the start, far above 1.
+    // From 1 to 1 with steep tangents: 1 + 8 (t^3 - 2t^2 + t) exceeds 1.
     const auto spline = more.floats("SCALAR", 6, {0, 1, 8, 0, 1, 0});
     Loaded loaded = load_text(document(
         everything(more, animations(channel(0, "/materials/0/pbrMetallicRoughness/metallicFactor"),
@@ -123,7 +124,7 @@ TEST(AnimationPointer, WhatCannotBeAnimatedIsLeftOut) {
         const Loaded loaded = load_text(
             document(everything(more, animations(channel(0, pointer), sampler(times, unit)))));
         ASSERT_TRUE(loaded.scene) << pointer << loaded.scene.error().line();
-        EXPECT_EQ(loaded.warned("/animations/0/channels/0/target", "can't be animated"), 1u)
+        EXPECT_EQ(loaded.warned("/animations/0/channels/0/target", "cannot be animated"), 1u)
             << pointer;
     }
 }
@@ -141,9 +142,12 @@ TEST(AnimationPointer, RefusalsAndChannelsLeftOut) {
     const char* output = "/animations/0/channels/0/sampler";
     const std::string twice = channel(0, "/cameras/0/perspective/yfov");
     expect_refused({
-        {"wrong kind", with("/materials/0/emissiveFactor", good), output, "can't have"},
-        {"no steps", with(visible, sampler(times, bytes)), output, "steps of unsigned bytes"},
-        {"floats", with(visible, sampler(times, unit, "STEP")), output, "steps of unsigned bytes"},
+        {"wrong kind", with("/materials/0/emissiveFactor", good), output,
+         "a type that is invalid for"},
+        {"no steps", with(visible, sampler(times, bytes)), output,
+         "STEP interpolation of unsigned bytes"},
+        {"floats", with(visible, sampler(times, unit, "STEP")), output,
+         "STEP interpolation of unsigned bytes"},
         {"no morph targets", with("/nodes/0/weights", good), "/animations/0/channels/0/target/node",
          "no mesh with morph targets"},
         {"twice", everything(more, animations(twice + "," + twice, good)),

@@ -19,7 +19,7 @@
 namespace hm::gltf {
 namespace {
 
-// Integers that may stand for floats.
+// Which integers may be stored in place of floats.
 enum class Integers { none, normalized, any };
 
 struct PathName {
@@ -50,7 +50,7 @@ Result<Interpolation> read_interpolation(const Json& json) {
     if (!name || *name == "LINEAR") return Interpolation::linear;
     if (*name == "STEP") return Interpolation::step;
     if (*name == "CUBICSPLINE") return Interpolation::cubic_spline;
-    return json.invalid("interpolation", fmt::format("{} is no interpolation", excerpt(*name)));
+    return json.invalid("interpolation", fmt::format("{} is not an interpolation", excerpt(*name)));
 }
 
 Result<std::size_t> required_accessor(const Json& json, const Source& source,
@@ -73,11 +73,11 @@ Result<std::vector<float>> read_times(const Json& json, Source& source) {
     HM_TRY_ASSIGN(const std::size_t index, required_accessor(json, source, "input"));
     const Accessor& accessor = source.accessors[index];
     if (accessor.type != ElementType::scalar || accessor.component != ComponentType::float32)
-        return json.invalid("input", "times are scalars of floats");
+        return json.invalid("input", "key times must be float scalars");
     HM_TRY_ASSIGN(std::vector<float> times, read_values(json, source, index));
     check_limits(source, index, {times.data(), 1});
     if (std::any_of(times.begin(), times.end(), [](float t) { return t < 0; }))
-        source.warn(accessor_place(index), "negative key times; they are played from 0 on");
+        source.warn(accessor_pointer(index), "negative key times; playback starts at 0");
     return times;
 }
 
@@ -86,16 +86,16 @@ struct FileSampler {
     std::size_t output;  // accessor
 };
 
-// Keys at one time are a jump: the last of them counts from that time on. Keys out of order are
-// sorted, each with its values.
+// Several keys at the same time are a jump: the last one applies from that time on. Keys out of
+// order are sorted together with their values.
 void repair_order(const Json& json, Source& source, AnimationSampler& sampler) {
     const std::vector<float> times = sampler.times;
     if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end())
         return;
     const bool sorted = std::is_sorted(times.begin(), times.end());
     source.warn(json.pointer_of("input"),
-                sorted ? "several keys at one time; the value jumps there"
-                       : "key times that do not increase; the keys are sorted by time");
+                sorted ? "several keys at the same time; the value jumps there"
+                       : "key times are not increasing; the keys are sorted by time");
     if (sorted || sampler.values.size() % times.size() != 0) return;  // the latter fails later
     std::vector<std::size_t> order(times.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -120,20 +120,20 @@ Result<FileSampler> read_sampler(const Json& json, Source& source) {
     return out;
 }
 
-// A key's value of length zero is no rotation.
+// A zero quaternion is not a rotation.
 Result<void> check_rotations(const Source& source, const FileSampler& from) {
     const AnimationSampler& s = from.sampler;
     const bool cubic = s.interpolation == Interpolation::cubic_spline;
     for (std::size_t key = 0; key < s.times.size(); ++key) {
         const float* q = s.values.data() + 4 * (cubic ? 3 * key + 1 : key);
         if (q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
-            return fail(ErrorKind::invalid, source.file, accessor_place(from.output),
+            return fail(ErrorKind::invalid, source.file, accessor_pointer(from.output),
                         fmt::format("the rotation of key {} is a zero quaternion", key));
     }
     return {};
 }
 
-// What a channel needs its sampler's output to be.
+// What a channel requires of its sampler's output.
 struct Needed {
     std::string_view name;
     ElementType type;
@@ -150,15 +150,15 @@ Result<void> check_output(const Json& channel, const Source& source, const Neede
                           const FileSampler& from) {
     const Accessor& accessor = source.accessors[from.output];
     if (accessor.type != needed.type || !has_component(accessor, needed.integers))
-        return channel.invalid("sampler",
-                               fmt::format("its output, accessor {}, has a type that {} can't have",
-                                           from.output, needed.name));
+        return channel.invalid(
+            "sampler", fmt::format("its output, accessor {}, has a type that is invalid for {}",
+                                   from.output, needed.name));
     const bool cubic = from.sampler.interpolation == Interpolation::cubic_spline;
     const std::uint64_t expected =
         std::uint64_t{from.sampler.times.size()} * needed.per_key * (cubic ? 3u : 1u);
     if (accessor.count != expected)
-        return channel.invalid("sampler", fmt::format("its output, accessor {}, has {} elements "
-                                                      "where {} are needed",
+        return channel.invalid("sampler", fmt::format("its output, accessor {}, has {} elements, "
+                                                      "expected {}",
                                                       from.output, accessor.count, expected));
     return {};
 }
@@ -185,14 +185,14 @@ class AnimationReader {
     const Scene& scene_;
     Animation animation_;
     std::vector<FileSampler> samplers_;
-    // By the file's numbers.
+    // By the owner's index in the file.
     std::set<std::pair<std::size_t, std::variant<AnimatedProperty, AnimatedValue>>> targets_;
 };
 
 Result<std::size_t> AnimationReader::values_per_key(const Json& target, const PathName& path,
                                                     const Node& node) {
     if (path.property != AnimatedProperty::weights) {
-        if (!node.rest) return target.invalid("node", "a node with a matrix can't be animated");
+        if (!node.rest) return target.invalid("node", "a node with a matrix cannot be animated");
         return 1;
     }
     const std::size_t count =
@@ -229,7 +229,8 @@ Result<void> AnimationReader::add(const Json& json, std::size_t sampler, std::si
         const Accessor& output = source_.accessors[from.output];
         if (output.component != ComponentType::uint8 || output.normalized ||
             from.sampler.interpolation != Interpolation::step)
-            return json.invalid("sampler", "visibility takes steps of unsigned bytes");
+            return json.invalid("sampler",
+                                "visibility requires STEP interpolation of unsigned bytes");
         if (scene_node_[owner] == kUnset) return {};
         owner = std::size_t(scene_node_[owner]);
     }
@@ -242,7 +243,7 @@ Result<void> AnimationReader::read_pointer_channel(const Json& json, const Json&
     HM_TRY_ASSIGN(const auto pointed, pointers_.read(target));
     if (!pointed) {
         source_.warn(target.pointer(),
-                     "a channel whose target is missing or can't be animated is left out");
+                     "channel ignored: its target is missing or cannot be animated");
         return {};
     }
     if (const auto* property = std::get_if<AnimatedProperty>(&pointed->what)) {
@@ -264,7 +265,7 @@ Result<void> AnimationReader::read_channel(const Json& json) {
     if (name == "pointer") return read_pointer_channel(json, target, sampler);
     const PathName* path = find_path(name);
     if (path == nullptr || !node) {
-        source_.warn(target.pointer(), "a channel whose target is not known is left out");
+        source_.warn(target.pointer(), "channel ignored: its target is unknown");
         return {};
     }
     return add(json, target, sampler, *node, *path);
@@ -278,7 +279,7 @@ Result<Animation> AnimationReader::read(const Json& json) {
         samplers_.push_back(std::move(sampler));
     }
     HM_TRY_ASSIGN(const std::vector<Json> channels, json.objects("channels"));
-    if (channels.empty()) source_.warn(json.pointer(), "an animation without channels");
+    if (channels.empty()) source_.warn(json.pointer(), "the animation has no channels");
     for (const Json& item : channels)
         HM_TRY(read_channel(item));
     for (FileSampler& from : samplers_)

@@ -9,9 +9,9 @@
 
 namespace hm::gltf {
 
-// One scene animation per animation of the file, in its order; channels whose node is not in the
-// scene that is shown are left out. `scene_node` has the scene's index of each of the file's nodes,
-// or kUnset; the nodes are there already.
+// One scene animation per animation of the file, in file order; channels of nodes outside the
+// chosen scene are dropped. `scene_node` maps node indices of the file to those of the scene, or to
+// kUnset. scene.nodes must be filled.
 Result<std::vector<Animation>> read_animations(const Json& root, Source& source,
                                                const std::vector<int>& scene_node,
                                                const Scene& scene);

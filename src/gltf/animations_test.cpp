@@ -1,4 +1,4 @@
-// Animations and morph targets of files: what they mean, and what is refused.
+// Animations and morph targets in files: their interpretation and rejected files.
 #include <cmath>
 
 #include "gltf/test_accessors.h"
@@ -34,7 +34,7 @@ TEST(Animations, TranslationMovesTheNode) {
          {"animations", animation(node_target("translation"), sampler(times, values))}})));
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
     EXPECT_TRUE(loaded.diagnostics.warnings().empty());
-    EXPECT_EQ(moved_origin(*loaded.scene), vec3(9, 9, 9));  // at rest until asked for
+    EXPECT_EQ(moved_origin(*loaded.scene), vec3(9, 9, 9));  // the rest pose
     ASSERT_TRUE(pose_scene(*loaded.scene, PoseTime{0, 1.5}));
     EXPECT_EQ(moved_origin(*loaded.scene), vec3(1, 2, 0));
     ASSERT_TRUE(pose_scene(*loaded.scene, PoseTime{0, 100}));
@@ -53,7 +53,7 @@ TEST(Animations, RotationsOfNormalizedShorts) {
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
     ASSERT_TRUE(pose_scene(*loaded.scene, PoseTime{0, 0}));
     const vec4 x = loaded.scene->nodes[0].local * vec4(1, 0, 0, 1);
-    EXPECT_NEAR(double(x.x), -1, 1e-6);  // half a turn
+    EXPECT_NEAR(double(x.x), -1, 1e-6);  // rotated by pi
 }
 
 TEST(Animations, Refusals) {
@@ -89,25 +89,25 @@ TEST(Animations, Refusals) {
                                        twice + "]}]"}}),
          "/animations/0/channels/1/target", "same target"},
         {"times of vectors", with(move, sampler(values, values)), "/animations/0/samplers/0/input",
-         "scalars of floats"},
+         "float scalars"},
         {"one key too many", with(move, sampler(times, three)), "/animations/0/channels/0/sampler",
-         "3 elements where 2"},
+         "3 elements, expected 2"},
         {"spline of two", with(move, sampler(times, values, "CUBICSPLINE")),
-         "/animations/0/channels/0/sampler", "2 elements where 6"},
+         "/animations/0/channels/0/sampler", "2 elements, expected 6"},
         {"interpolation", with(move, sampler(times, values, "linear")),
-         "/animations/0/samplers/0/interpolation", "no interpolation"},
+         "/animations/0/samplers/0/interpolation", "not an interpolation"},
         {"output of bytes", with(move, sampler(times, bytes)), "/animations/0/channels/0/sampler",
          "type"},
         {"rotation of three", with(node_target("rotation"), good),
          "/animations/0/channels/0/sampler", "type"},
         {"zero rotation", with(node_target("rotation"), sampler(times, zeros)), "/accessors/9",
          "zero quaternion"},
-        {"NaN", with(move, sampler(times, nan)), "/accessors/11", "not a number"},
+        {"NaN", with(move, sampler(times, nan)), "/accessors/11", "is NaN"},
         {"no input", with(move, R"({"output":7})"), "/animations/0/samplers/0/input", "required"},
     });
 }
 
-// A node's x at `seconds`, of keys that the specification forbids, and the warnings.
+// A node's x at `seconds` with keys that the specification forbids, and the number of warnings.
 struct Repaired {
     float x;
     std::size_t warnings;
@@ -169,8 +169,8 @@ TEST(MorphTargets, SparseAndNormalizedDeltas) {
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
     const Primitive& p = loaded.scene->meshes[0].primitives[0];
     EXPECT_EQ(p.vertices[0].position, vec3(0, 0, 0));
-    EXPECT_EQ(p.vertices[2].position, vec3(10, 14, 14));  // 0 2 0 and twice 5 6 7
-    EXPECT_EQ(p.extras[0].color, vec4(0, 0, 0.2f, 1));    // red taken away
+    EXPECT_EQ(p.vertices[2].position, vec3(10, 14, 14));  // (0, 2, 0) + 2 (5, 6, 7)
+    EXPECT_EQ(p.extras[0].color, vec4(0, 0, 0.2f, 1));    // red removed
     EXPECT_EQ(p.deformation->targets[0].positions.size(), 1u);
 }
 
@@ -222,7 +222,7 @@ TEST(MorphTargets, Refusals) {
          "2 elements, POSITION has 3"},
         {"type", with(R"([{"POSITION":2}])"), "/meshes/0/primitives/0/targets/0/POSITION", "type"},
         {"no base", with(R"([{"TANGENT":7}])"), "/meshes/0/primitives/0/targets/0/TANGENT",
-         "no such attribute"},
+         "does not have this attribute"},
         {"past the end", with(R"([{"POSITION":99}])"), "/meshes/0/primitives/0/targets/0/POSITION",
          "past the end"},
         {"weights of the mesh", with(R"([{"POSITION":7}])", R"(,"weights":[1,2])"),

@@ -14,13 +14,13 @@ namespace hm::gltf {
 namespace {
 
 constexpr std::string_view kQuantization = "KHR_mesh_quantization";
-// Beside those of the list of material parameters.
+// In addition to those in the list of material parameters.
 constexpr std::array<std::string_view, 8> kSupported{
     "EXT_mesh_gpu_instancing", "KHR_animation_pointer",  "KHR_lights_punctual",
     "KHR_materials_unlit",     "KHR_materials_variants", kQuantization,
     "KHR_node_visibility",     "KHR_texture_transform"};
 
-// They describe objects and do not affect the picture.
+// Metadata that does not affect the picture.
 constexpr std::array<std::string_view, 8> kMetadata{"EXT_structural_metadata",
                                                     "EXT_mesh_features",
                                                     "EXT_instance_features",
@@ -34,7 +34,8 @@ bool is_metadata(std::string_view extension) {
     return std::find(kMetadata.begin(), kMetadata.end(), extension) != kMetadata.end();
 }
 
-// A command of glTF Transform (gltf-transform.dev) that writes a file without the extension.
+// A glTF Transform command (gltf-transform.dev) that converts the file to one without the
+// extension.
 std::string_view remedy(std::string_view extension) {
     if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
         extension == "KHR_meshopt_compression")
@@ -50,7 +51,7 @@ struct Version {
     unsigned minor = 0;
 };
 
-// "2.0": two numbers with a point between them.
+// "2.0": two numbers separated by a dot.
 std::optional<Version> parse_version(std::string_view text) {
     Version version;
     const char* const end = text.data() + text.size();
@@ -65,11 +66,11 @@ Result<std::optional<Version>> read_version(const Json& asset, std::string_view 
     HM_TRY_ASSIGN(const auto text, asset.text(key));
     if (!text) return std::nullopt;
     const auto version = parse_version(*text);
-    if (!version) return asset.invalid(key, fmt::format("{} is no version", excerpt(*text)));
+    if (!version) return asset.invalid(key, fmt::format("{} is not a version", excerpt(*text)));
     return version;
 }
 
-// One warning for each, with how many objects have it.
+// One warning per extension, with the number of objects that use it.
 void warn_of_ignored(const KeyCounts& uses, const std::vector<std::string_view>& used,
                      Source& source) {
     std::set<std::string_view> listed;
@@ -91,8 +92,7 @@ void warn_of_ignored(const KeyCounts& uses, const std::vector<std::string_view>&
         if (!is_supported(name) && !is_metadata(name) && !listed.contains(name))
             source.warn(
                 "/extensionsUsed",
-                fmt::format("does not list extension {}, which is not supported and ignored",
-                            excerpt(name)),
+                fmt::format("unlisted extension {} is not supported and ignored", excerpt(name)),
                 count);
 }
 
@@ -111,11 +111,11 @@ Result<void> check_asset(const Json& root) {
     if (version.major != 2)
         return asset.fail(
             ErrorKind::unsupported, "version",
-            fmt::format("glTF {}.{}; only 2.x is read", version.major, version.minor));
+            fmt::format("glTF {}.{} is not supported, only 2.x", version.major, version.minor));
     HM_TRY_ASSIGN(const auto least, read_version(asset, "minVersion"));
     if (least && (least->major != 2 || least->minor > 0))
         return asset.fail(ErrorKind::unsupported, "minVersion",
-                          fmt::format("the file needs glTF {}.{}; this program knows 2.0",
+                          fmt::format("the file requires glTF {}.{}; this program supports 2.0",
                                       least->major, least->minor));
     return {};
 }
@@ -128,7 +128,7 @@ Result<void> check_extensions(const JsonDocument& document, Source& source) {
         if (is_supported(name) || is_metadata(name)) continue;
         if (!missing.empty()) missing += ", ";
         missing += name;
-        if (!remedy(name).empty()) missing += fmt::format(" (undone by: {})", remedy(name));
+        if (!remedy(name).empty()) missing += fmt::format(" (convert with: {})", remedy(name));
     }
     if (!missing.empty())
         return root.fail(ErrorKind::unsupported, "extensionsRequired",
@@ -136,7 +136,7 @@ Result<void> check_extensions(const JsonDocument& document, Source& source) {
 
     HM_TRY_ASSIGN(const auto used, root.texts("extensionsUsed"));
     warn_of_ignored(document.key_counts(), used, source);
-    // Exporters forget to list it among those required.
+    // Some exporters do not list it as required.
     source.quantized = std::count(used.begin(), used.end(), kQuantization) > 0 ||
                        std::count(required.begin(), required.end(), kQuantization) > 0;
     return {};

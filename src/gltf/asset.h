@@ -1,4 +1,4 @@
-// Whether this file is one for us: glTF's version and the extensions it asks for.
+// Checks that a file can be read: its glTF version and the extensions it requires.
 #pragma once
 
 #include <string_view>
@@ -8,15 +8,15 @@
 
 namespace hm::gltf {
 
-// The command of glTF Transform that turns pictures of every format into PNG.
+// The glTF Transform command that converts images of any format to PNG.
 inline constexpr std::string_view kPicturesToPng = "gltf-transform png IN OUT --formats '*'";
 
-// Whether this program evaluates the extension.
+// Whether this program implements the extension.
 bool is_supported(std::string_view extension);
 
 Result<void> check_asset(const Json& root);
 
-// Fails if the file requires an extension that is not supported, warns of those it merely uses.
+// Fails if the file requires an unsupported extension; warns of unsupported ones it only uses.
 Result<void> check_extensions(const JsonDocument& document, Source& source);
 
 }  // namespace hm::gltf

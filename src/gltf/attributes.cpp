@@ -16,7 +16,7 @@ bool is_finite(vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Unit length, or zero for what has no direction. Through double: squares of floats overflow.
+// Normalized, or zero if there is no direction. In double, since squares of floats can overflow.
 vec3 unit_or_zero(vec3 v) {
     if (!is_finite(v)) return vec3(0);
     const glm::dvec3 exact(v);
@@ -29,11 +29,11 @@ vec3 any_perpendicular(vec3 n) {
     return normalize(axis - n * dot(n, axis));
 }
 
-// What may stand in an attribute's accessor besides floats.
+// Which integers an attribute may use in place of floats.
 enum class Encoding { position, direction, coordinate, color };
 
-// KHR_mesh_quantization allows more integers than the core does (the table in its section
-// "Extending Mesh Attributes").
+// KHR_mesh_quantization allows more integer types than core glTF (table in its section "Extending
+// Mesh Attributes").
 bool is_encoded(const Accessor& accessor, Encoding use, bool quantized) {
     const bool is_small = accessor.component != ComponentType::uint32;
     const bool is_signed =
@@ -53,7 +53,7 @@ bool is_encoded(const Accessor& accessor, Encoding use, bool quantized) {
     return false;
 }
 
-// One attribute's accessor, its type and count checked.
+// An attribute's accessor, after checking its type and count.
 Result<std::optional<std::size_t>> find(const Json& attributes, Source& source,
                                         std::string_view key, ElementType type, Encoding encoding,
                                         std::uint32_t count) {
@@ -63,7 +63,7 @@ Result<std::optional<std::size_t>> find(const Json& attributes, Source& source,
     const bool is_color = key == "COLOR_0" && accessor.type == ElementType::vec3;
     if ((accessor.type != type && !is_color) || !is_encoded(accessor, encoding, source.quantized))
         return attributes.invalid(
-            key, fmt::format("accessor {} has a type that this attribute can't have", *index));
+            key, fmt::format("accessor {} has a type that is invalid for this attribute", *index));
     if (count != 0 && accessor.count != count)
         return attributes.invalid(key, fmt::format("accessor {} has {} elements, POSITION has {}",
                                                    *index, accessor.count, count));
@@ -88,8 +88,7 @@ Result<void> read_finite(const Source& source, std::size_t accessor, Target<floa
     return check_finite(source, accessor, {to.first, to.stride});
 }
 
-// Texture coordinates: NaN and infinity, which exporters write where an unwrapping failed, become
-// 0.
+// NaN and infinite texture coordinates, which exporters write when unwrapping failed, become 0.
 Result<void> read_coordinates(Source& source, std::size_t accessor, Target<float> to) {
     HM_TRY(read_floats_to(source, accessor, to));
     std::atomic<std::size_t> bad_count = 0;
@@ -101,8 +100,8 @@ Result<void> read_coordinates(Source& source, std::size_t accessor, Target<float
         ++bad_count;
     });
     if (bad_count != 0)
-        source.warn(accessor_place(accessor),
-                    "texture coordinates that are NaN or infinite; 0 is used", bad_count);
+        source.warn(accessor_pointer(accessor), "NaN or infinite texture coordinates; 0 is used",
+                    bad_count);
     return {};
 }
 
@@ -120,8 +119,8 @@ Result<void> read_normals(std::size_t accessor, Source& source, Primitive& primi
         if (normal == vec3(0)) all_good = false;
     });
     if (!all_good)
-        source.warn(accessor_place(accessor),
-                    "some normals are zero or not finite; there the face's own normal is used");
+        source.warn(accessor_pointer(accessor),
+                    "some normals are zero or not finite; the face normal is used instead");
     primitive.has_normals = true;
     return {};
 }
@@ -139,14 +138,14 @@ Result<void> read_tangents(std::size_t accessor, Source& source, Primitive& prim
         vertex.tangent = vec4(direction, sign < 0 ? -1.0f : 1.0f);
     });
     if (!all_good)
-        source.warn(accessor_place(accessor),
-                    "some tangents have no direction or a w other than 1 and -1; the nearest valid "
+        source.warn(accessor_pointer(accessor),
+                    "some tangents have no direction or a w other than 1 or -1; the nearest valid "
                     "ones are used");
     primitive.has_tangents = true;
     return {};
 }
 
-// Where the accessor has no alpha, the 1 that stands there already is kept.
+// Accessors without alpha leave the preset alpha of 1.
 Result<void> read_colors(std::size_t accessor, Source& source, Primitive& primitive) {
     std::vector<VertexExtra>& extras = primitive.extras;
     HM_TRY(read_finite(source, accessor, {&extras[0].color.x, kExtraStride}));
@@ -156,7 +155,8 @@ Result<void> read_colors(std::size_t accessor, Source& source, Primitive& primit
         if (clamped != extras[i].color) all_good = false;
         extras[i].color = clamped;
     });
-    if (!all_good) source.warn(accessor_place(accessor), "vertex colours outside 0 to 1, clamped");
+    if (!all_good)
+        source.warn(accessor_pointer(accessor), "vertex colours outside 0 to 1 are clamped");
     return {};
 }
 
@@ -165,7 +165,7 @@ Result<void> read_colors(std::size_t accessor, Source& source, Primitive& primit
 Result<std::optional<Attributes>> read_attributes(const Json& primitive, Source& source) {
     HM_TRY_ASSIGN(const Json json,
                   primitive.required("attributes", primitive.object("attributes")));
-    for (const std::string_view key : json.keys())  // also those that nothing reads
+    for (const std::string_view key : json.keys())  // including those that are not read
         HM_TRY(json.index(key, source.accessors.size(), "accessors"));
     const auto get = [&](std::string_view key, ElementType type, Encoding encoding,
                          std::uint32_t count) {
@@ -174,7 +174,7 @@ Result<std::optional<Attributes>> read_attributes(const Json& primitive, Source&
     Attributes out;
     HM_TRY_ASSIGN(const auto position, get("POSITION", ElementType::vec3, Encoding::position, 0));
     if (!position) {
-        source.warn(primitive.pointer(), "a primitive without positions is left out");
+        source.warn(primitive.pointer(), "primitive without POSITION is ignored");
         return std::nullopt;
     }
     out.position = *position;

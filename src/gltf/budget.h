@@ -1,4 +1,5 @@
-// Taking from the loader's budget before memory is: a small file can ask for very much.
+// The loader's memory and work budget, charged before anything is allocated: a small file can
+// require a lot of memory.
 #pragma once
 
 #include <cstdint>
@@ -9,24 +10,24 @@
 
 namespace hm::gltf {
 
-// Bytes that loading may take, from the options or the available memory.
+// Memory limit for loading in bytes, from the options or the available memory.
 std::uint64_t memory_limit(const LoadOptions& options);
 
-// A budget that the file itself, of `file_bytes`, is taken from already.
+// A budget from which the file itself, `file_bytes`, is already deducted.
 Budget make_budget(std::uint64_t limit, std::uint64_t file_bytes);
-// Each byte of input makes for as much work as a sane file has.
+// Raises the work limit in proportion to the size of further input.
 void add_work(Budget& budget, std::uint64_t input_bytes);
 
-// What parsing this text may take.
+// Upper bound of the memory for parsing this text, in bytes.
 std::uint64_t json_memory(std::span<const std::byte> text);
 
-// For decoding, whether or not the result is kept. Errors are at `json`.
+// Charges decoding work, whether or not the result is kept. Errors are located at `json`.
 Result<void> take_work(const Json& json, Source& source, std::uint64_t bytes);
 
-// For what stays in memory until loading ends.
+// Charges memory that stays allocated until loading ends.
 Result<void> take_memory(const Json& json, Source& source, std::uint64_t bytes);
 
-// Fails if it is more than the budget has left.
+// Fails if `bytes` exceed what is left of the memory budget.
 Result<void> check_memory(const Budget& budget, std::uint64_t bytes, const std::string& file,
                           const std::string& pointer);
 

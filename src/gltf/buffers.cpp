@@ -13,16 +13,16 @@
 namespace hm::gltf {
 namespace {
 
-// GLB: the first buffer, if it names no source, is the BIN chunk.
+// GLB: the first buffer is the BIN chunk if it has no uri.
 std::optional<std::span<const std::byte>> chunk_of(const Source& source, std::size_t buffer) {
     return buffer == 0 ? source.binary : std::nullopt;
 }
 
-// What a view is for; its users know that better.
+// The target is a hint; only its range is checked.
 Result<void> check_target(const Json& view) {
     HM_TRY_ASSIGN(const auto target, view.integer("target"));
     if (target && *target != 34962 && *target != 34963)
-        return view.invalid("target", fmt::format("{} is no target", *target));
+        return view.invalid("target", fmt::format("{} is not a target", *target));
     return {};
 }
 
@@ -30,7 +30,7 @@ Result<void> check_target(const Json& view) {
 
 Result<ByteArray> read_uri(Source& source, const Json& owner, std::string_view uri) {
     if (is_data_uri(uri)) {
-        HM_TRY(take_memory(owner, source, uri.size()));  // at least what it decodes to
+        HM_TRY(take_memory(owner, source, uri.size()));  // no less than its decoded size
         auto bytes = decode_data_uri(uri);
         if (!bytes) return owner.invalid("uri", bytes.error());
         return std::move(*bytes);
@@ -42,7 +42,7 @@ Result<ByteArray> read_uri(Source& source, const Json& owner, std::string_view u
     if (!allow_external)
         if (const auto inside = check_inside(whole, source.folder); !inside)
             return owner.invalid("uri", fmt::format("{}: {}", excerpt(uri), inside.error()));
-    std::error_code ignored;  // read_file says what is wrong with a file
+    std::error_code ignored;  // read_file reports errors
     const std::uintmax_t size = std::filesystem::file_size(whole, ignored);
     if (!ignored) HM_TRY(take_memory(owner, source, size));
     auto bytes = read_file(whole);
@@ -55,7 +55,8 @@ Result<ByteArray> read_uri(Source& source, const Json& owner, std::string_view u
 
 Result<void> read_buffers(const Json& root, Source& source) {
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("buffers"));
-    std::map<std::string_view, std::span<const std::byte>> read;  // a file named twice is read once
+    std::map<std::string_view, std::span<const std::byte>>
+        read;  // a file referenced twice is read once
     for (const Json& item : items) {
         Buffer buffer;
         HM_TRY(name_of(item));
@@ -67,14 +68,14 @@ Result<void> read_buffers(const Json& root, Source& source) {
             const auto [known, is_new] = read.try_emplace(*uri);
             if (is_new) {
                 HM_TRY_ASSIGN(auto content, read_uri(source, item, *uri));
-                known->second = content;  // bytes stay where they are when the vector is moved
+                known->second = content;  // moving the vector does not move its bytes
                 source.storage.push_back(std::move(content));
                 add_work(source.budget, known->second.size());
             }
             bytes = known->second;
         }
         if (bytes && bytes->size() < buffer.length)
-            return item.invalid("byteLength", fmt::format("{} bytes, but there are only {}",
+            return item.invalid("byteLength", fmt::format("{} bytes, but only {} are available",
                                                           buffer.length, bytes->size()));
         if (bytes) buffer.bytes = bytes->first(buffer.length);
         source.buffers.push_back(buffer);
@@ -114,7 +115,7 @@ Result<std::span<const std::byte>> view_bytes(const Source& source, std::size_t 
     const Buffer& buffer = source.buffers[at.buffer];
     if (!buffer.bytes)
         return fail(ErrorKind::invalid, source.file, fmt::format("/buffers/{}", at.buffer),
-                    "has neither a uri nor a GLB chunk, but its data is used");
+                    "its data is used, but it has neither a uri nor a GLB chunk");
     return buffer.bytes->subspan(at.offset, at.length);
 }
 

@@ -18,11 +18,11 @@ Result<float> required_number(const Json& json, std::string_view key) {
     return json.required(key, json.number(key));
 }
 
-// Nothing is clipped, so planes that the specification forbids do no harm.
+// There is no clipping, so invalid planes are harmless.
 void check_planes(const Json& json, Source& source, bool near_is_valid, float near,
                   std::optional<float> far) {
     if (!near_is_valid || (far && *far <= near))
-        source.warn(json.pointer(), "invalid znear or zfar, which are not used");
+        source.warn(json.pointer(), "invalid znear or zfar; there is no clipping");
 }
 
 Result<void> read_perspective(const Json& json, Source& source, Camera& camera) {
@@ -60,7 +60,7 @@ Result<Camera> read_camera(const Json& item, Source& source) {
     HM_TRY_ASSIGN(camera.name, name_of(item));
     HM_TRY_ASSIGN(const std::string_view type, item.required("type", item.text("type")));
     if (type != "perspective" && type != "orthographic")
-        return item.invalid("type", fmt::format("{} is no camera", excerpt(type)));
+        return item.invalid("type", fmt::format("{} is not a camera type", excerpt(type)));
     HM_TRY_ASSIGN(const Json json, item.required(type, item.object(type)));
     if (type == "perspective")
         HM_TRY(read_perspective(json, source, camera));
@@ -74,12 +74,12 @@ Result<void> read_spot(const Json& item, Source& source, Light& light) {
     HM_TRY_ASSIGN(light.inner_cone, spot.number_or("innerConeAngle", 0));
     HM_TRY_ASSIGN(light.outer_cone, spot.number_or("outerConeAngle", kPi / 4));
     if (light.inner_cone < 0) return spot.invalid("innerConeAngle", "must not be negative");
-    // Files round pi / 2 either way.
+    // Tolerates pi / 2 rounded up.
     if (light.outer_cone > kPi / 2 * 1.000001f)
         return spot.invalid("outerConeAngle", "must not be greater than pi / 2");
     if (light.outer_cone < light.inner_cone || light.outer_cone <= 0)
         return spot.invalid("outerConeAngle", "must be greater than innerConeAngle");
-    // Against the extension's letter, but written for hard-edged spots and clear in meaning.
+    // The extension forbids it, but files use it for hard-edged spots, and the meaning is clear.
     if (light.outer_cone == light.inner_cone)
         source.warn(spot.pointer(), "the cone angles are equal; the edge is hard");
     return {};
@@ -90,14 +90,14 @@ Result<Light> read_light(const Json& item, Source& source) {
     HM_TRY_ASSIGN(light.name, name_of(item));
     HM_TRY_ASSIGN(const std::string_view type, item.required("type", item.text("type")));
     const auto kind = find_choice(kLightKindNames, type);
-    if (!kind) return item.invalid("type", fmt::format("{} is no light", excerpt(type)));
+    if (!kind) return item.invalid("type", fmt::format("{} is not a light type", excerpt(type)));
     light.kind = *kind;
 
     std::array<float, 3> color{1, 1, 1};
     HM_TRY(item.numbers("color", color));
     for (const float component : color) {
         if (component < 0) return item.invalid("color", "must not be negative");
-        if (component > 1) source.warn(item.pointer_of("color"), "above 1, kept as it is");
+        if (component > 1) source.warn(item.pointer_of("color"), "above 1, used as is");
     }
     light.color = vec3(color[0], color[1], color[2]);
     HM_TRY_ASSIGN(light.intensity, item.number_or("intensity", 1));

@@ -46,7 +46,8 @@ TEST(Cameras, Refusals) {
     };
     expect_refused({
         {"no type", camera("{}"), "/cameras/0/type", "is required"},
-        {"fisheye", camera(R"({"type":"fisheye"})"), "/cameras/0/type", "\"fisheye\" is no camera"},
+        {"fisheye", camera(R"({"type":"fisheye"})"), "/cameras/0/type",
+         "\"fisheye\" is not a camera type"},
         {"no body", camera(R"({"type":"perspective"})"), "/cameras/0/perspective", "is required"},
         {"no yfov", perspective(R"("znear":1)"), "/cameras/0/perspective/yfov", "is required"},
         {"yfov 0", perspective(R"("znear":1,"yfov":0)"), "/cameras/0/perspective/yfov", "pi"},
@@ -110,7 +111,7 @@ TEST(Lights, ToleratedWithAWarning) {
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
     const std::string pointer = "/extensions/KHR_lights_punctual/lights/0";
     EXPECT_EQ(loaded.warned(pointer + "/spot", "edge is hard"), 1u);
-    EXPECT_EQ(loaded.warned(pointer + "/color", "kept"), 1u);
+    EXPECT_EQ(loaded.warned(pointer + "/color", "used as is"), 1u);
     EXPECT_EQ(loaded.scene->lights[0].color, vec3(2, 1, 1));
 }
 
@@ -122,7 +123,7 @@ TEST(Lights, Refusals) {
         const char* message;
     } cases[] = {
         {"{}", "/type", "is required"},
-        {R"({"type":"area"})", "/type", "\"area\" is no light"},
+        {R"({"type":"area"})", "/type", "\"area\" is not a light type"},
         {R"({"type":"point","color":[1,-1,1]})", "/color", "negative"},
         {R"({"type":"point","color":[1,1]})", "/color", "expected 3"},
         {R"({"type":"point","intensity":-1})", "/intensity", "negative"},

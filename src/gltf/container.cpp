@@ -20,28 +20,30 @@ std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at) {
     return value;
 }
 
-tl::unexpected<Error> broken(const std::string& file, std::size_t at, std::string message) {
+tl::unexpected<Error> invalid_glb(const std::string& file, std::size_t at, std::string message) {
     return fail(ErrorKind::invalid, file, fmt::format("byte {}", at), std::move(message));
 }
 
-// The file's bytes as far as the header says they are the container's.
+// The bytes of the container, as long as its header says.
 Result<std::span<const std::byte>> check_header(std::span<const std::byte> bytes,
                                                 const std::string& file, Diagnostics& diagnostics) {
     if (bytes.size() < kHeaderSize)
-        return broken(file, bytes.size(), "the GLB header is cut short");
+        return invalid_glb(file, bytes.size(), "the GLB header is truncated");
     const std::uint32_t version = little_endian(bytes, 4);
     if (version != 2)
         return fail(ErrorKind::unsupported, file, "byte 4",
-                    fmt::format("GLB version {}; only 2 is read", version));
+                    fmt::format("GLB version {} is not supported, only 2", version));
     const std::uint32_t length = little_endian(bytes, 8);
     if (length > bytes.size())
-        return broken(
-            file, 8,
-            fmt::format("the GLB header says {} bytes, the file has {}", length, bytes.size()));
+        return invalid_glb(file, 8,
+                           fmt::format("the GLB header gives a length of {} bytes, the file has {}",
+                                       length, bytes.size()));
     if (length < kHeaderSize)
-        return broken(file, 8, fmt::format("the GLB header says {} bytes in all", length));
+        return invalid_glb(
+            file, 8,
+            fmt::format("the GLB header gives a length of {} bytes, less than its size", length));
     if (length < bytes.size())
-        diagnostics.warn(file, fmt::format("byte {}", length), "bytes after the GLB's end");
+        diagnostics.warn(file, fmt::format("byte {}", length), "bytes after the end of the GLB");
     return bytes.first(length);
 }
 
@@ -56,27 +58,30 @@ Result<Container> split_container(std::span<const std::byte> bytes, const std::s
     std::size_t at = kHeaderSize;
     for (std::size_t number = 0; at < bytes.size(); ++number) {
         if (bytes.size() - at < kChunkHeaderSize)
-            return broken(file, at, "a GLB chunk's header is cut short");
+            return invalid_glb(file, at, "a GLB chunk header is truncated");
         const std::size_t length = little_endian(bytes, at);
         const std::uint32_t type = little_endian(bytes, at + 4);
         if (length > bytes.size() - at - kChunkHeaderSize)
-            return broken(file, at, fmt::format("a GLB chunk of {} bytes passes the end", length));
+            return invalid_glb(file, at,
+                               fmt::format("a GLB chunk of {} bytes extends past the end", length));
         if (length % 4 != 0)
-            return broken(file, at,
-                          fmt::format("a GLB chunk's length, {}, is not a multiple of 4", length));
+            return invalid_glb(
+                file, at,
+                fmt::format("the length of a GLB chunk, {}, is not a multiple of 4", length));
         const auto content = bytes.subspan(at + kChunkHeaderSize, length);
         if (number == 0 && type != kJsonChunk)
-            return broken(file, at, "the GLB's first chunk is not JSON");
+            return invalid_glb(file, at, "the first GLB chunk is not JSON");
         if (number == 0) {
             parts.json = content;
         } else if (number == 1 && type == kBinaryChunk) {
             parts.binary = content;
         } else {
-            diagnostics.warn(file, fmt::format("byte {}", at), "GLB chunk of unknown use, skipped");
+            diagnostics.warn(file, fmt::format("byte {}", at),
+                             "GLB chunk of unknown type, skipped");
         }
         at += kChunkHeaderSize + length;
     }
-    if (parts.json.empty()) return broken(file, at, "the GLB has no JSON");
+    if (parts.json.empty()) return invalid_glb(file, at, "the GLB has no JSON chunk");
     return parts;
 }
 

@@ -1,4 +1,4 @@
-// GLB, the binary container (glTF 2.0, chapter 4), or plain JSON: told apart by the first bytes.
+// GLB, the binary container (glTF 2.0, chapter 4), or plain JSON, detected by the first bytes.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct Container {
     std::optional<std::span<const std::byte>> binary;  // GLB's BIN chunk
 };
 
-// The parts of `bytes`, which must outlive them. Errors' places are byte offsets.
+// Views into `bytes`, which must outlive them. Error::location is a byte offset.
 Result<Container> split_container(std::span<const std::byte> bytes, const std::string& file,
                                   Diagnostics& diagnostics);
 

@@ -1,4 +1,4 @@
-// GLB: chunk layout, and files cut short anywhere.
+// GLB: chunk layout, and files truncated anywhere.
 #include <random>
 
 #include "gltf/test_files.h"
@@ -18,7 +18,7 @@ std::string with_word(std::string file, std::size_t at, std::uint32_t value) {
     return file.replace(at, 4, word(value));
 }
 
-// The header's length set to the size, and `tail` appended before.
+// Appends `tail` and updates the length in the header.
 std::string extended(std::string file, const std::string& tail) {
     file += tail;
     return with_word(file, 8, static_cast<std::uint32_t>(file.size()));
@@ -46,16 +46,16 @@ TEST(Container, ToleratesWithAWarning) {
     const std::string pointer = "byte " + std::to_string(file.size());
     const Loaded trailing = load_text(file + "junk");
     ASSERT_TRUE(trailing.scene);
-    EXPECT_EQ(trailing.warned(pointer, "after the GLB's end"), 1u);
+    EXPECT_EQ(trailing.warned(pointer, "after the end of the GLB"), 1u);
 
     const Loaded unknown = load_text(extended(file, word(4) + "ABCD" + "1234"));
     ASSERT_TRUE(unknown.scene);
-    EXPECT_EQ(unknown.warned(pointer, "unknown use"), 1u);
+    EXPECT_EQ(unknown.warned(pointer, "unknown type"), 1u);
 
-    // The BIN chunk is the second or none at all.
+    // BIN must be the second chunk if present.
     const Loaded second = load_text(extended(file, word(4) + std::string("BIN\0", 4) + "1234"));
     ASSERT_TRUE(second.scene);
-    EXPECT_EQ(second.warned(pointer, "unknown use"), 1u);
+    EXPECT_EQ(second.warned(pointer, "unknown type"), 1u);
 }
 
 TEST(Container, RefusesBrokenLayouts) {
@@ -71,17 +71,17 @@ TEST(Container, RefusesBrokenLayouts) {
     } cases[] = {
         {"version 1", with_word(good, 4, 1), "byte 4", "only 2", ErrorKind::unsupported},
         {"longer than the file", with_word(good, 8, size + 4), "byte 8", "the file has"},
-        {"shorter than its header", with_word(good, 8, 8), "byte 8", "8 bytes in all"},
-        {"chunk past the end", with_word(good, 12, size), "byte 12", "passes the end"},
-        {"huge chunk", with_word(good, 12, 0xffffffffu), "byte 12", "passes the end"},
+        {"shorter than its header", with_word(good, 8, 8), "byte 8", "a length of 8 bytes"},
+        {"chunk past the end", with_word(good, 12, size), "byte 12", "extends past the end"},
+        {"huge chunk", with_word(good, 12, 0xffffffffu), "byte 12", "extends past the end"},
         {"odd chunk", with_word(good, 12, 5), "byte 12", "not a multiple of 4"},
         {"BIN first", with_word(good, 16, 0x004e4942), "byte 12", "not JSON"},
         {"no chunk", extended(good.substr(0, 12), ""), "byte 12", "no JSON"},
         {"empty JSON", extended(good.substr(0, 12), word(0) + "JSON"), "byte 20", "no JSON"},
-        {"half a chunk header", extended(good, word(0)), end.c_str(), "header is cut short"},
-        {"magic only", "glTF", "byte 4", "header is cut short"},
+        {"half a chunk header", extended(good, word(0)), end.c_str(), "header is truncated"},
+        {"magic only", "glTF", "byte 4", "header is truncated"},
         {"BIN too short", glb(chunk_document(), triangle_bytes().substr(0, 160)),
-         "/buffers/0/byteLength", "there are only 160"},
+         "/buffers/0/byteLength", "only 160 are available"},
         {"BIN missing", glb(chunk_document(), ""), "/buffers/0", "neither a uri nor a GLB chunk"},
     };
     for (const auto& c : cases) {
@@ -102,14 +102,14 @@ TEST(Container, CutAnywhereIsAnError) {
         Diagnostics diagnostics;
         const std::string cut = good.substr(0, size);
         EXPECT_FALSE(load_gltf(folder.write("cut.glb", cut), diagnostics)) << size;
-        // Also when the header agrees with the shorter size.
+        // Also if the header has the truncated size.
         if (size < 12) continue;
         const auto path = folder.write("cut.glb", with_word(cut, 8, std::uint32_t(size)));
         EXPECT_FALSE(load_gltf(path, diagnostics)) << size;
     }
 }
 
-// Whatever changes in a file, it loads or is refused; sanitizers see the rest.
+// A file with any byte changed loads or is rejected; sanitizers check the rest.
 TEST(Container, ChangedBytesNeverCrash) {
     const std::string good = glb(chunk_document(), triangle_bytes());
     const std::string likely = "0123456789-.eE[]{},:\" ";

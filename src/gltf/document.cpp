@@ -34,7 +34,7 @@ Result<JsonDocument> parse_document(std::span<const std::byte> text, const std::
     if (text.size() >= 3 && byte(0) == 0xEF && byte(1) == 0xBB && byte(2) == 0xBF)
         text = text.subspan(3);
     if (text.size() >= 2 && (byte(0) == 0xFF || byte(0) == 0xFE) && byte(0) + byte(1) == 0x1FD)
-        return reject("is UTF-16 text; glTF is UTF-8");
+        return reject("is UTF-16; glTF must be UTF-8");
     HM_TRY_ASSIGN(auto document, JsonDocument::parse(text, file,
                                                      {.readable_behind = readable_behind,
                                                       .check_object = check_extensions,

@@ -1,4 +1,4 @@
-// What glTF adds to JSON: extensions, their counts, the memory that a document takes.
+// glTF documents: extensions, their counts and the memory estimate.
 #include "gltf/document.h"
 
 #include "gltf/budget.h"
@@ -30,7 +30,7 @@ TEST(Document, ExtensionsOfReturnedObjectsAreObjects) {
     EXPECT_EQ(root.object("c").error().location, "/c/extensions/Y~1Z");
 }
 
-// The copy that the parser may make, and the strings again.
+// The parser's copy of the text, and the strings.
 TEST(Document, MemoryCountsTheTextItself) {
     const std::string spaces(1000, ' ');
     EXPECT_GE(gltf::json_memory(std::as_bytes(std::span(spaces))), 2 * spaces.size());

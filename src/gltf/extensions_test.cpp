@@ -1,4 +1,4 @@
-// Extensions of nodes and meshes, and what the load options choose.
+// Extensions of nodes and meshes, and LoadOptions.
 #include <fmt/format.h>
 
 #include "gltf/test_files.h"
@@ -23,8 +23,8 @@ FlatScene flat_of(const Scene& scene) {
     return flatten(scene, {}, {}, diagnostics);
 }
 
-// Translations and scales of two instances, rotations as normalised 16-bit integers: none, and a
-// half turn about y.
+// Translations and scales of two instances; rotations as normalized 16-bit integers: the identity
+// and pi about y.
 Overrides instanced(const std::string& attributes, const std::string& rest = "") {
     const std::string bytes = triangle_bytes() + bytes_of(std::vector<float>{1, 2, 3, 4, 5, 6}) +
                               bytes_of(std::vector<float>{1, 1, 1, 2, 2, 2}) +
@@ -55,7 +55,7 @@ TEST(Instancing, EveryAttribute) {
     ASSERT_EQ(flat.instances.size(), 2u);
     const vec3 first = flat.instances[0].object_to_world * vec4(1, 0, 0, 1);
     EXPECT_EQ(first, vec3(12, 2, 3));
-    // x turns to -x, twice as long, at 10 + 4, 5, 6.
+    // x maps to -2x, translated to (10 + 4, 5, 6).
     const vec3 second = flat.instances[1].object_to_world * vec4(1, 0, 0, 1);
     EXPECT_NEAR(double(second.x), 12, 1e-5);
     EXPECT_NEAR(double(second.y), 5, 1e-5);
@@ -77,7 +77,7 @@ TEST(Instancing, Refusals) {
         {"counts differ", instanced(R"("TRANSLATION":1,"SCALE":0)"), (at + "/SCALE").c_str(),
          "accessor 0 has 3 elements, another has 2"},
         {"wrong type", instanced(R"("TRANSLATION":3)"), (at + "/TRANSLATION").c_str(),
-         "can't have"},
+         "a type that is invalid for"},
         {"no such accessor", instanced(R"("SCALE":4)"), (at + "/SCALE").c_str(), "past the end"},
         {"overflow", instanced(R"("TRANSLATION":1,"SCALE":2)", R"("scale":[3e38,1,1],)"),
          "/nodes/0", "overflows"},
@@ -151,13 +151,13 @@ TEST(Scenes, AreChosenByNameOrIndex) {
     EXPECT_EQ(shown(""), "a");
     EXPECT_EQ(shown("1"), "b");
     EXPECT_EQ(shown("last"), "c");
-    EXPECT_EQ(shown("2"), "a");  // a name before an index
+    EXPECT_EQ(shown("2"), "a");  // names take precedence over indices
     EXPECT_EQ(shown("3"), std::to_string(int(ErrorKind::invalid_argument)));
     EXPECT_EQ(shown("-1"), std::to_string(int(ErrorKind::invalid_argument)));
 }
 
-// Positions as 16-bit integers, a stride of 8; normals as normalised bytes; texture coordinates as
-// plain bytes.
+// Positions as 16-bit integers with stride 8, normals as normalized bytes, texture coordinates as
+// unnormalized bytes.
 Overrides quantized(const std::string& extensions, const std::string& normalized = "") {
     const std::string bytes =
         bytes_of(std::vector<std::int16_t>{-32768, 1, 2, 0, 32767, 4, 5, 0, 7, 8, 9, 0}) +
@@ -191,7 +191,7 @@ TEST(Quantization, IntegersOfEveryKind) {
     EXPECT_EQ(scaled.scene->meshes.at(0).primitives.at(0).vertices[0].position.x, -1.0f);
     EXPECT_EQ(scaled.scene->meshes.at(0).primitives.at(0).vertices[1].position.x, 1.0f);
     expect_refused({{"without the extension", quantized(""),
-                     "/meshes/0/primitives/0/attributes/POSITION", "can't have"}});
+                     "/meshes/0/primitives/0/attributes/POSITION", "a type that is invalid for"}});
 }
 
 TEST(Quantization, IntegersOfMorphTargets) {
@@ -216,7 +216,7 @@ TEST(Quantization, IntegersOfMorphTargets) {
     const Loaded plain = load(used, "");
     ASSERT_TRUE(plain.scene) << plain.scene.error().line();
     const std::vector<Vertex>& v = plain.scene->meshes.at(0).primitives.at(0).vertices;
-    EXPECT_EQ(v[1].position, vec3(65534, 8, 10));  // twice the short, as it is
+    EXPECT_EQ(v[1].position, vec3(65534, 8, 10));  // twice the integer, not normalized
     EXPECT_EQ(v[1].normal, vec3(0, -1, 0));
     const Loaded scaled = load(used, R"(,"normalized":true)");
     ASSERT_TRUE(scaled.scene) << scaled.scene.error().line();
@@ -248,14 +248,14 @@ TEST(MemoryLimit, IsKeptBeforeMemoryIsTaken) {
     };
     constexpr std::uint64_t kMegabyte = 1 << 20;
     EXPECT_EQ(load({}, kMegabyte), "no error");
-    EXPECT_NE(load({}, 100).find("of memory, but of the limit of 100 only 100 are left"),
+    EXPECT_NE(load({}, 100).find("of memory, but only 100 are left of the limit of 100"),
               std::string::npos);
     const std::string zeros =
         load({{"accessors", R"([{"componentType":5126,"type":"VEC3","count":1000000}])"},
               {"meshes", R"([{"primitives":[{"attributes":{"POSITION":0}}]}])"}},
              kMegabyte);
     EXPECT_NE(zeros.find("/meshes/0/primitives/0: needs"), std::string::npos) << zeros;
-    // A header that claims 16384 x 16384 pixels; nothing of them follows.
+    // A header for 16384 x 16384 pixels without any pixel data.
     std::string png("\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\x40\0\0\0\x40\0\x08\x06\0\0\0", 29);
     const Overrides image = {
         {"images", fmt::format(R"([{{"uri":"data:image/png;base64,{}"}}])", base64(png))},
@@ -265,7 +265,7 @@ TEST(MemoryLimit, IsKeptBeforeMemoryIsTaken) {
             {"POSITION":0,"TEXCOORD_0":2}}]}])"}};
     const std::string pixels = load(image, kMegabyte);
     EXPECT_NE(pixels.find("/images/0: needs 1073741824 bytes"), std::string::npos) << pixels;
-    // Room for the pixels, but not for decoding them.
+    // Enough memory for the pixels, but not for decoding them.
     const std::string rows = load(image, 1536 * kMegabyte);
     EXPECT_NE(rows.find("/images: needs 1073741824 bytes"), std::string::npos) << rows;
 }

@@ -20,15 +20,15 @@
 namespace hm::gltf {
 namespace {
 
-// A picture as the file has it: in `storage` unless it lies in a buffer.
+// An encoded image: in `storage`, or in a buffer.
 struct Encoded {
     ByteArray storage;
     std::span<const std::byte> bytes;
     std::string name;
-    std::uint64_t decoded_bytes = 0;  // taken from the budget
+    std::uint64_t decoded_bytes = 0;  // charged to the budget
 };
 
-// The name of a picture format that glTF files carry by extension only, else empty.
+// The name of an image format that glTF allows by extension only, else empty.
 std::string_view foreign_format(std::span<const std::byte> bytes) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (text.starts_with("RIFF") && text.substr(0, 12).ends_with("WEBP")) return "WebP";
@@ -38,13 +38,17 @@ std::string_view foreign_format(std::span<const std::byte> bytes) {
     return {};
 }
 
-// Content decides; a media type that says otherwise is a mistake that viewers forgive.
-void check_media_type(const Json& item, Source& source, std::string_view said, FileFormat format) {
-    const std::string_view is = format == FileFormat::png    ? "image/png"
-                                : format == FileFormat::jpeg ? "image/jpeg"
-                                                             : "";
-    if (said.empty() || is.empty() || said == is || said == "application/octet-stream") return;
-    source.warn(item.pointer(), fmt::format("is called {} but is {}", excerpt(said), is));
+// The content decides; viewers tolerate a wrong media type.
+void check_media_type(const Json& item, Source& source, std::string_view declared,
+                      FileFormat format) {
+    const std::string_view actual = format == FileFormat::png    ? "image/png"
+                                    : format == FileFormat::jpeg ? "image/jpeg"
+                                                                 : "";
+    if (declared.empty() || actual.empty() || declared == actual ||
+        declared == "application/octet-stream")
+        return;
+    source.warn(item.pointer(),
+                fmt::format("declared as {}, but it is {}", excerpt(declared), actual));
 }
 
 std::string_view key_of(const Json& item) {
@@ -63,28 +67,29 @@ Result<void> fetch_bytes(const Json& item, Source& source, Encoded& out) {
         out.bytes = out.storage;
     }
     HM_TRY_ASSIGN(const auto type, item.text("mimeType"));
-    const std::string_view said = type                       ? *type
-                                  : uri && is_data_uri(*uri) ? media_type(*uri)
-                                                             : std::string_view();
-    check_media_type(item, source, said, file_format(out.bytes));
+    const std::string_view declared = type                       ? *type
+                                      : uri && is_data_uri(*uri) ? media_type(*uri)
+                                                                 : std::string_view();
+    check_media_type(item, source, declared, file_format(out.bytes));
     return {};
 }
 
-// Everything but the pixels, whose memory is taken from the budget.
+// Everything but the pixels, whose memory is charged to the budget.
 Result<Encoded> fetch(const Json& item, Source& source) {
     Encoded out;
     HM_TRY(fetch_bytes(item, source, out));
     if (const std::string_view format = foreign_format(out.bytes); !format.empty())
-        return item.fail(ErrorKind::unsupported, key_of(item),
-                         fmt::format("is a {} image; PNG and JPEG are read ({} converts)", format,
-                                     kPicturesToPng));
+        return item.fail(
+            ErrorKind::unsupported, key_of(item),
+            fmt::format("is a {} image; only PNG and JPEG are supported (convert with: {})", format,
+                        kPicturesToPng));
     HM_TRY_ASSIGN(out.name, name_of(item));
     out.decoded_bytes = decoded_size(out.bytes).value_or(0);
     HM_TRY(take_memory(item, source, out.decoded_bytes));
     return out;
 }
 
-// Which of the file's images are read, as their places in the scene's list or kUnset.
+// Maps each image of the file to its index in the scene, or kUnset if it is not read.
 std::vector<int> choose(const std::vector<Material>& materials, const std::vector<bool>& used,
                         std::size_t image_count, std::vector<std::size_t>& chosen) {
     std::vector<bool> needed(image_count, false);
@@ -102,8 +107,8 @@ std::vector<int> choose(const std::vector<Material>& materials, const std::vecto
     return new_index;
 }
 
-// While a picture is decoded, its stored rows or coefficients take about as much memory as its
-// pixels. As many are decoded at once as there are threads.
+// Decoding needs about as much memory for rows or coefficients as for the pixels. Each thread
+// decodes one image at a time.
 Result<void> check_memory_of_decoding(const std::vector<Encoded>& encoded, const Source& source) {
     std::vector<std::uint64_t> sizes;
     for (const Encoded& e : encoded)

@@ -1,4 +1,4 @@
-// Images: where their bytes come from, which are read, what goes wrong.
+// Images: their sources, which of them are read, and errors.
 #include <fmt/format.h>
 
 #include "gltf/test_files.h"
@@ -6,7 +6,7 @@
 namespace hm::gltf_test {
 namespace {
 
-// `images` as given; a used material reads image 1 and 0, an unused one reads image 2.
+// A used material reads images 1 and 0 of `images`, an unused one reads image 2.
 Overrides three_images(const std::string& images) {
     return {{"images", images},
             {"textures", R"([{"source":0},{"source":1},{"source":2}])"},
@@ -58,7 +58,7 @@ TEST(Images, FromBufferViewAndFile) {
         0,    0x1f, 0x15, 0xc4, 0x89, 0,    0,    0,    13,  'I',  'D',  'A',  'T',  0x78,
         0x9c, 0x63, 0xe0, 0x12, 0x91, 0xd3, 0,    0,    0,   0xcd, 0,    0x65, 0x6a, 0x99,
         0x84, 0x42, 0,    0,    0,    0,    'I',  'E',  'N', 'D',  0xae, 0x42, 0x60, 0x82};
-    // Checked against the base64 form, so that the two cannot differ.
+    // Compared with the base64 form of the same image.
     ASSERT_EQ(base64(bytes_of(png)), kPng1);
     Overrides overrides = three_images(
         R"([{"bufferView":6,"mimeType":"image/png"},{"uri":"a%20b.png"},{"uri":"none.png"}])");
@@ -75,7 +75,7 @@ TEST(Images, FromBufferViewAndFile) {
     EXPECT_EQ(scene->images.size(), 2u);
     EXPECT_EQ(pixels_of(scene->images[0]), pixels_of(scene->images[1]));
 
-    // The picture beside the file belongs to the scene's fingerprint; a comment in it will do.
+    // External images are part of the scene's hash; even a comment in one changes it.
     std::string other = bytes_of(png);
     other.insert(other.size() - 12, std::string("\0\0\0\3tEXta\0b\xDC\x49\xA2\x3B", 15));
     EXPECT_EQ(load_gltf(folder.write("scene.gltf", text), diagnostics)->hash, scene->hash);
@@ -93,7 +93,7 @@ TEST(Images, AMediaTypeThatIsWrongIsWarnedOf) {
     const Loaded loaded =
         load_text(document(three_images(fmt::format("[{},{},{{}}]", said, in_uri))));
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
-    EXPECT_EQ(loaded.warned("/images/0", "is called \"image/jpeg\" but is image/png"), 2u);
+    EXPECT_EQ(loaded.warned("/images/0", "declared as \"image/jpeg\", but it is image/png"), 2u);
     EXPECT_EQ(loaded.diagnostics.warnings().size(), 1u);
 }
 

@@ -38,7 +38,7 @@ Result<std::optional<std::size_t>> find(const Json& attributes, Source& source,
     const Accessor& accessor = source.accessors[*index];
     if (!has_type(accessor))
         return attributes.invalid(
-            key, fmt::format("accessor {} has a type that this attribute can't have", *index));
+            key, fmt::format("accessor {} has a type that is invalid for this attribute", *index));
     if (accessor.count != count)
         return attributes.invalid(key, fmt::format("accessor {} has {} elements, POSITION has {}",
                                                    *index, accessor.count, count));
@@ -46,7 +46,7 @@ Result<std::optional<std::size_t>> find(const Json& attributes, Source& source,
     return index;
 }
 
-// Sets are numbered from 0 without a gap.
+// Sets must be numbered from 0 without gaps.
 Result<void> check_gap(const Json& attributes, std::size_t set_count) {
     std::size_t listed = 0;
     std::string_view last;
@@ -56,7 +56,8 @@ Result<void> check_gap(const Json& attributes, std::size_t set_count) {
         last = key;
     }
     if (listed == 2 * set_count) return {};
-    return attributes.invalid(last, "sets of joints and weights are numbered from 0 without gaps");
+    return attributes.invalid(last,
+                              "sets of joints and weights must be numbered from 0 without gaps");
 }
 
 Result<std::vector<Set>> find_sets(const Json& attributes, Source& source, std::uint32_t count) {
@@ -69,7 +70,7 @@ Result<std::vector<Set>> find_sets(const Json& attributes, Source& source, std::
         if (joints.has_value() != weights.has_value())
             return attributes.invalid(
                 joints ? joints_key : weights_key,
-                fmt::format("comes without {}", joints ? weights_key : joints_key));
+                fmt::format("is present without {}", joints ? weights_key : joints_key));
         if (!joints) break;
         sets.push_back({*joints, *weights});
     }
@@ -77,8 +78,7 @@ Result<std::vector<Set>> find_sets(const Json& attributes, Source& source, std::
     return sets;
 }
 
-// Rounding leaves weights a little below zero; they become zero. Fails where one is clearly
-// negative.
+// Weights slightly below zero, from rounding, become zero. Fails if one is clearly negative.
 Result<void> clamp_weights(Source& source, std::size_t accessor, std::vector<float>& weights) {
     constexpr float kTolerance = 1e-3f;
     std::size_t clamped = 0;
@@ -86,13 +86,14 @@ Result<void> clamp_weights(Source& source, std::size_t accessor, std::vector<flo
         if (!(weights[i] < 0)) continue;
         if (weights[i] < -kTolerance)
             return fail(
-                ErrorKind::invalid, source.file, accessor_place(accessor),
+                ErrorKind::invalid, source.file, accessor_pointer(accessor),
                 fmt::format("element {} has the negative weight {}", i / kSetSize, weights[i]));
         weights[i] = 0;
         ++clamped;
     }
     if (clamped != 0)
-        source.warn(accessor_place(accessor), "joint weights just below 0, clamped", clamped);
+        source.warn(accessor_pointer(accessor), "joint weights slightly below 0 are clamped",
+                    clamped);
     return {};
 }
 
@@ -125,9 +126,9 @@ bool repeats(std::span<const std::uint16_t> joints, std::span<const float> weigh
     return std::adjacent_find(used.begin(), used.end()) != used.end();
 }
 
-// A vertex without any weight follows its first joint alone.
+// A vertex whose weights are all zero follows its first joint.
 void normalize(Deformation& d, Flaws& flaws) {
-    constexpr double kTolerance = 0.01;  // 8-bit weights that were rounded one by one keep to it
+    constexpr double kTolerance = 0.01;  // allows for 8-bit weights rounded individually
     for (std::size_t begin = 0; begin < d.weights.size(); begin += d.influences) {
         const std::span<float> weights(d.weights.data() + begin, d.influences);
         flaws.repeated =
@@ -165,10 +166,10 @@ Result<void> read_influences(const Json& primitive, Source& source, std::uint32_
     normalize(out, flaws);
     if (flaws.sums)
         source.warn(primitive.pointer(),
-                    "some vertices' joint weights do not sum to one; they are scaled to");
+                    "some vertices' joint weights do not sum to one; they are normalized");
     if (flaws.repeated)
         source.warn(primitive.pointer(),
-                    "some vertices name a joint more than once; their weights are added");
+                    "some vertices list a joint more than once; its weights are added");
     return {};
 }
 

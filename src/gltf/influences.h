@@ -1,4 +1,4 @@
-// Which joints move a vertex and how much: JOINTS_n and WEIGHTS_n (glTF 2.0, 3.7.3.3).
+// Skinning attributes: JOINTS_n and WEIGHTS_n (glTF 2.0, 3.7.3.3).
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace hm::gltf {
 
-// Fills influences, joints and weights, normalized to a sum of one; nothing where the primitive has
-// no joints. `count` and `kept` as in read_targets.
+// Fills influences, joints and weights, normalized to a sum of one; does nothing if the primitive
+// has no joints. `count` and `kept` are those of read_targets.
 Result<void> read_influences(const Json& primitive, Source& source, std::uint32_t count,
                              const std::vector<std::uint32_t>& kept, Deformation& out);
 

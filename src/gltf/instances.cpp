@@ -34,8 +34,9 @@ bool is_deformable(const Mesh& mesh) {
 
 Result<void> separate_posed_meshes(Source& source, Scene& scene) {
     const std::vector<bool> animated = nodes_with_animated_weights(scene);
-    std::map<std::tuple<int, int, int>, int> mesh_of_pose;  // mesh, skin and who has own weights
-    std::vector<bool> taken(scene.meshes.size(), false);    // by the first pose
+    std::map<std::tuple<int, int, int>, int>
+        mesh_of_pose;  // mesh, skin, node if it has its own weights
+    std::vector<bool> taken(scene.meshes.size(), false);  // by the first pose
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         Node& node = scene.nodes[i];
         if (node.mesh == kUnset || !is_deformable(scene.meshes[std::size_t(node.mesh)])) continue;
@@ -47,7 +48,7 @@ Result<void> separate_posed_meshes(Source& source, Scene& scene) {
             const std::uint64_t bytes = copy_bytes(scene.meshes[mesh]);
             if (bytes > source.budget.kept_bytes)
                 return fail(ErrorKind::invalid, source.file, fmt::format("/meshes/{}", mesh),
-                            "its poses take too much memory for the file's size");
+                            "its posed copies exceed the memory limit (memory-limit)");
             source.budget.kept_bytes -= bytes;
             known->second = static_cast<int>(scene.meshes.size());
             scene.meshes.push_back(Mesh(scene.meshes[mesh]));

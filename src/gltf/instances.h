@@ -1,4 +1,4 @@
-// Meshes that nodes deform in ways of their own.
+// Copies of meshes that several nodes deform differently.
 #pragma once
 
 #include "gltf/source.h"
@@ -6,11 +6,11 @@
 
 namespace hm::gltf {
 
-// Whether morph targets or a skin move any of its vertices.
+// Whether the mesh has morph targets or skinning attributes.
 bool is_deformable(const Mesh& mesh);
 
-// Gives each node that poses its mesh unlike the others (by a skin, by its own or by animated
-// weights) a copy of that mesh. Nodes that pose it alike go on sharing one.
+// Gives each node that poses its mesh differently from the others (by a skin, its own weights or
+// animated weights) a copy of that mesh. Nodes with the same pose keep sharing one.
 Result<void> separate_posed_meshes(Source& source, Scene& scene);
 
 }  // namespace hm::gltf

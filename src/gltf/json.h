@@ -1,4 +1,4 @@
-// What glTF adds to JSON: properties that any object may have.
+// Properties that any glTF object may have.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace hm::gltf {
 
-// The extension `name` of an object.
+// The extension `name` of an object, if present.
 Result<std::optional<Json>> extension_of(const Json& object, std::string_view name);
 
-// The name of an object, empty where absent.
+// The name of an object, empty if absent.
 Result<std::string> name_of(const Json& object);
 
 }  // namespace hm::gltf

@@ -1,4 +1,4 @@
-// The order of loading: container, JSON, tables of bytes, then what the scene is made of.
+// The order of loading: container, JSON, buffers and accessors, then the parts of the scene.
 #include "gltf/load.h"
 
 #include <algorithm>
@@ -45,10 +45,10 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     source.budget = make_budget(memory_limit(options), bytes.size());
     HM_TRY(check_memory(source.budget, json_memory(container.json), file, ""));
     source.budget.kept_bytes -= json_memory(container.json);
-    const auto behind_json = bytes.last(
+    const auto after_json = bytes.last(
         bytes.size() - std::size_t(container.json.data() + container.json.size() - bytes.data()));
     HM_TRY_ASSIGN(const JsonDocument document,
-                  parse_document(container.json, file, behind_json.size()));
+                  parse_document(container.json, file, after_json.size()));
     const Json& root = document.root();
     HM_TRY(check_asset(root));
 
@@ -73,7 +73,8 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
     set_origin(scene);
     if (std::any_of(scene.meshes.begin(), scene.meshes.end(), is_deformable)) {
         HM_TRY(separate_posed_meshes(source, scene));
-        HM_TRY(pose_scene(scene, std::nullopt));  // else all stands at rest already
+        HM_TRY(
+            pose_scene(scene, std::nullopt));  // otherwise everything is in its rest pose already
     }
     scene.hash = source.hash.text();
     return scene;
@@ -83,7 +84,7 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
 
 Result<Scene> load_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
                         const LoadOptions& options) {
-    // read_file says what is wrong with a file that has no size.
+    // If the size is unknown, read_file reports the error.
     std::error_code unknown;
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
     const gltf::Budget whole = gltf::make_budget(gltf::memory_limit(options), 0);

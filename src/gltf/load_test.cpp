@@ -1,4 +1,4 @@
-// The whole document: what is read from a good file, and refusals that concern all of it.
+// Whole documents: what is read from a valid file, and errors of the file as a whole.
 #include <fmt/format.h>
 
 #include "gltf/test_files.h"
@@ -82,8 +82,11 @@ TEST(Load, VersionsAndExtensions) {
         {"no asset", {{"asset", ""}}, "/asset", "is required"},
         {"no version", {{"asset", "{}"}}, "/asset/version", "is required"},
         {"version is a number", {{"asset", R"({"version":2.0})"}}, "/asset/version", "a string"},
-        {"no version at all", {{"asset", R"({"version":"two"})"}}, "/asset/version", "no version"},
-        {"half a version", {{"asset", R"({"version":"2."})"}}, "/asset/version", "no version"},
+        {"no version at all",
+         {{"asset", R"({"version":"two"})"}},
+         "/asset/version",
+         "not a version"},
+        {"half a version", {{"asset", R"({"version":"2."})"}}, "/asset/version", "not a version"},
         {"glTF 1",
          {{"asset", R"({"version":"1.0"})"}},
          "/asset/version",
@@ -92,7 +95,7 @@ TEST(Load, VersionsAndExtensions) {
         {"too new",
          {{"asset", R"({"version":"2.1","minVersion":"2.1"})"}},
          "/asset/minVersion",
-         "needs glTF 2.1",
+         "requires glTF 2.1",
          ErrorKind::unsupported},
         {"required extensions",
          {{"extensionsRequired", R"(["KHR_a","KHR_materials_unlit","EXT_b"])"}},
@@ -117,7 +120,7 @@ TEST(Load, VersionsAndExtensions) {
                     .scene);
 }
 
-// Metadata does not affect the picture, whether listed, required, or only there.
+// Metadata extensions are harmless, whether listed, required or unlisted.
 TEST(Load, MetadataIsANote) {
     for (const bool required : {false, true}) {
         Overrides overrides = {{"nodes", R"([{"mesh":0,"extensions":{"EXT_mesh_features":{}}}])"}};
@@ -131,7 +134,7 @@ TEST(Load, MetadataIsANote) {
     }
 }
 
-// What undoes it is said until it is supported.
+// The error names a command that converts the file.
 TEST(Load, CompressionNamesTheCommandThatUndoesIt) {
     const std::pair<const char*, const char*> cases[] = {
         {R"(["KHR_draco_mesh_compression"])", "gltf-transform copy"},
@@ -150,11 +153,11 @@ TEST(Load, WarnsOfUnknownExtensions) {
     const Loaded loaded = load_text(document(
         {{"extensionsUsed", R"(["KHR_a","KHR_materials_unlit","KHR_materials_variants"])"}}));
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
-    EXPECT_TRUE(loaded.diagnostics.warnings().empty());  // nothing has it
+    EXPECT_TRUE(loaded.diagnostics.warnings().empty());  // no object has it
     ASSERT_EQ(loaded.diagnostics.notes().size(), 1u);
     EXPECT_EQ(loaded.diagnostics.notes()[0].location, "/extensionsUsed/0");
 
-    // How often each is used, also one that is not listed; extras are nobody's business.
+    // The number of uses of each extension, listed or not; those in extras do not count.
     const Loaded counted = load_text(document(
         {{"extensionsUsed", R"(["KHR_a"])"},
          {"nodes", R"([{"mesh":0,"extensions":{"KHR_a":{"extensions":{"KHR_a":{}}},"EXT_b":{}}},

@@ -15,12 +15,12 @@ namespace hm::gltf {
 namespace {
 
 // Values outside the schema's range are clamped to it, with a warning.
-float limited(Source& source, const Json& json, const MaterialFactor& factor, float value) {
+float clamp_factor(Source& source, const Json& json, const MaterialFactor& factor, float value) {
     constexpr float kNoLimit = std::numeric_limits<float>::max();
     if (value < factor.low || value > factor.high)
         source.warn(json.pointer_of(factor.key),
                     factor.high == kNoLimit
-                        ? fmt::format("below {}, raised to it", factor.low)
+                        ? fmt::format("below {}, clamped", factor.low)
                         : fmt::format("outside {} to {}, clamped", factor.low, factor.high));
     return std::clamp(value, factor.low, factor.high);
 }
@@ -36,18 +36,18 @@ Result<void> read_factor(const Json& owner, const MaterialFactor& factor, Source
     for (float& number : numbers) {
         if (factor.below == BelowRange::refuse && number < factor.low)
             return owner.invalid(factor.key, "must not be negative");
-        number = limited(source, owner, factor, number);
+        number = clamp_factor(source, owner, factor, number);
     }
     return {};
 }
 
-// The object that has a parameter's key, if the material has it.
+// The object that holds a parameter's key, if present.
 Result<std::optional<Json>> find_owner(const Json& json, std::string_view owner) {
     if (owner.empty()) return json;
     return is_extension(owner) ? extension_of(json, owner) : json.object(owner);
 }
 
-// Calls `read` with each parameter of a list and its owner, where that is present.
+// Calls `read` for each parameter of a list whose owner is present.
 template <class Parameter, class Read>
 Result<void> read_each(const Json& json, std::span<const Parameter> parameters, const Read& read) {
     std::string_view name;
@@ -66,7 +66,8 @@ Result<std::uint32_t> read_alpha_mode(const Json& json) {
     HM_TRY_ASSIGN(const auto name, json.text("alphaMode"));
     if (!name) return kAlphaOpaque;
     const auto mode = find_choice(kAlphaModeNames, *name);
-    if (!mode) return json.invalid("alphaMode", fmt::format("{} is no alpha mode", excerpt(*name)));
+    if (!mode)
+        return json.invalid("alphaMode", fmt::format("{} is not an alpha mode", excerpt(*name)));
     return *mode;
 }
 

@@ -1,5 +1,5 @@
-// Materials (glTF 2.0, 3.9) by the list of their parameters (scene/material_parameters.h), with
-// KHR_texture_transform and KHR_materials_unlit, and the textures and samplers they use (3.8).
+// Materials (glTF 2.0, 3.9), driven by the parameter list (scene/material_parameters.h), with
+// KHR_texture_transform and KHR_materials_unlit, and their textures and samplers (3.8).
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace hm::gltf {
 
-// The slots' `image` are indices of the file's images; images are not read yet.
+// The slots' `image` are indices into the file's images, which are read later.
 Result<std::vector<Material>> read_materials(const Json& root, Source& source);
 
 }  // namespace hm::gltf

@@ -8,7 +8,7 @@
 namespace hm::gltf_test {
 namespace {
 
-// The document with one material, used by the triangle, and one texture.
+// The document with one texture and one material, used by the triangle.
 Overrides material(const std::string& json) {
     return {{"materials", "[" + json + "]"},
             {"meshes", R"([{"primitives":[{"material":0,
@@ -150,10 +150,9 @@ TEST(Materials, ClampsWithAWarning) {
     EXPECT_EQ(m.emissive(), vec3(1, 0, 0));
     EXPECT_EQ(m.occlusion_strength, 1.0f);
     EXPECT_EQ(m.alpha_cutoff, 0.0f);
-    // One line for what is clamped to 0..1, with the pointer that was first, and one for the
-    // cutoff.
+    // One warning for all values clamped to 0..1, with the first pointer, and one for the cutoff.
     EXPECT_EQ(loaded.warned("/materials/0/pbrMetallicRoughness/baseColorFactor", "clamped"), 6u);
-    EXPECT_EQ(loaded.warned("/materials/0/alphaCutoff", "raised"), 1u);
+    EXPECT_EQ(loaded.warned("/materials/0/alphaCutoff", "below 0, clamped"), 1u);
 }
 
 TEST(Materials, MissingCoordinatesAreWarnedOf) {
@@ -167,7 +166,9 @@ TEST(Materials, MissingCoordinatesAreWarnedOf) {
         with(material(R"({"emissiveTexture":{"index":0,"texCoord":1}})"), "meshes",
              R"([{"primitives":[{"material":0,"attributes":{"POSITION":0,"TEXCOORD_0":2}}]}])")));
     ASSERT_TRUE(none.scene);
-    EXPECT_EQ(none.warned("/meshes/0/primitives/0", "coordinates that are missing"), 1u);
+    EXPECT_EQ(none.warned("/meshes/0/primitives/0",
+                          "texture coordinates that the material uses are missing"),
+              1u);
 }
 
 TEST(Materials, Refusals) {
@@ -185,7 +186,7 @@ TEST(Materials, Refusals) {
         {"too large for a float", material(R"({"pbrMetallicRoughness":{"metallicFactor":1e39}})"),
          "/materials/0/pbrMetallicRoughness/metallicFactor", "32-bit float"},
         {"unknown mode", material(R"({"alphaMode":"GLASS"})"), "/materials/0/alphaMode",
-         "\"GLASS\" is no alpha mode"},
+         "\"GLASS\" is not an alpha mode"},
         {"flag as number", material(R"({"doubleSided":1})"), "/materials/0/doubleSided",
          "expected a boolean, found a number"},
         {"no index", material(R"({"normalTexture":{}})"), "/materials/0/normalTexture/index",
@@ -201,11 +202,11 @@ TEST(Materials, Refusals) {
         {"no such sampler", with(textured, "textures", R"([{"source":0,"sampler":1}])"),
          "/textures/0/sampler", "past the end"},
         {"unknown wrap", with(textured, "samplers", R"([{"wrapT":10496}])"), "/samplers/0/wrapT",
-         "no wrapping mode"},
+         "not a wrapping mode"},
         {"unknown filter", with(textured, "samplers", R"([{"magFilter":9987}])"),
-         "/samplers/0/magFilter", "no filter"},
+         "/samplers/0/magFilter", "not a filter"},
         {"unknown minification", with(textured, "samplers", R"([{"minFilter":1}])"),
-         "/samplers/0/minFilter", "no filter"},
+         "/samplers/0/minFilter", "not a filter"},
         {"an extension's image only",
          with(textured, "textures", R"([{"extensions":{"EXT_texture_webp":{"source":0}}}])"),
          "/textures/0", "EXT_texture_webp", ErrorKind::unsupported},

@@ -10,7 +10,7 @@ namespace hm::gltf {
 namespace {
 
 struct Columns {
-    std::vector<float> translation, rotation, scale;  // empty where absent
+    std::vector<float> translation, rotation, scale;  // empty if absent
     std::size_t count = 0;
 };
 
@@ -29,7 +29,7 @@ Result<std::vector<float>> read_column(const Json& attributes, Source& source, s
     const Accessor& accessor = source.accessors[*index];
     if (!has_type(accessor, type))
         return attributes.invalid(
-            key, fmt::format("accessor {} has a type that this attribute can't have", *index));
+            key, fmt::format("accessor {} has a type that is invalid for this attribute", *index));
     if (count != 0 && accessor.count != count)
         return attributes.invalid(key, fmt::format("accessor {} has {} elements, another has {}",
                                                    *index, accessor.count, count));
@@ -41,7 +41,7 @@ Result<std::vector<float>> read_column(const Json& attributes, Source& source, s
     return values;
 }
 
-// Fails where a rotation has no direction.
+// Fails if a rotation is a zero quaternion.
 Result<std::vector<glm::mat4>> make_transforms(const Json& attributes, const Columns& columns) {
     std::vector<glm::mat4> out;
     out.reserve(columns.count);
@@ -55,8 +55,8 @@ Result<std::vector<glm::mat4>> make_transforms(const Json& attributes, const Col
         for (std::size_t c = 0; c < 4 && !columns.rotation.empty(); ++c)
             t.rotation[c] = double(columns.rotation[4 * i + c]);
         if (t.rotation == glm::dvec4(0))
-            return attributes.invalid(
-                "ROTATION", fmt::format("element {}: a zero quaternion is no rotation", i));
+            return attributes.invalid("ROTATION",
+                                      fmt::format("element {} is a zero quaternion", i));
         out.emplace_back(to_matrix(t));
     }
     return out;
@@ -76,9 +76,7 @@ Result<std::vector<glm::mat4>> read_instances(const Json& node, Source& source) 
     HM_TRY_ASSIGN(columns.translation, read("TRANSLATION", ElementType::vec3));
     HM_TRY_ASSIGN(columns.rotation, read("ROTATION", ElementType::vec4));
     HM_TRY_ASSIGN(columns.scale, read("SCALE", ElementType::vec3));
-    if (columns.count == 0)
-        return attributes.invalid("",
-                                  "has no TRANSLATION, ROTATION or SCALE to count instances by");
+    if (columns.count == 0) return attributes.invalid("", "has no TRANSLATION, ROTATION or SCALE");
     // Written by three.js and Babylon.js; the extension leaves other attributes to applications.
     if (attributes.has("_COLOR_0"))
         source.warn(attributes.pointer_of("_COLOR_0"),

@@ -1,4 +1,4 @@
-// EXT_mesh_gpu_instancing: one node that draws its mesh many times.
+// EXT_mesh_gpu_instancing: many instances of one node's mesh.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace hm::gltf {
 
-// Each instance's transform to the node's space, or nothing where the node has no such extension.
+// The transforms from the instances' spaces to the node's; empty if the node has no such extension.
 Result<std::vector<glm::mat4>> read_instances(const Json& node, Source& source);
 
 }  // namespace hm::gltf

@@ -22,7 +22,7 @@ std::uint64_t vertex_memory(const Primitive& primitive) {
            primitive.extras.size() * sizeof(VertexExtra);
 }
 
-// The vertices in drawing order; without an accessor simply all of them.
+// The vertex indices; without an accessor 0, 1, 2, ...
 Result<Indices> read_indices(const Json& json, Source& source, std::uint32_t vertex_count) {
     HM_TRY_ASSIGN(const auto index, json.index("indices", source.accessors.size(), "accessors"));
     if (!index) {
@@ -35,17 +35,17 @@ Result<Indices> read_indices(const Json& json, Source& source, std::uint32_t ver
                              accessor.component == ComponentType::uint16 ||
                              accessor.component == ComponentType::uint32;
     if (accessor.type != ElementType::scalar || !is_unsigned || accessor.normalized)
-        return json.invalid("indices", "indices are scalars of unsigned integers");
+        return json.invalid("indices", "indices must be unsigned integer scalars");
     if (accessor.view && source.views[*accessor.view].stride != 0)
-        return json.invalid("indices", fmt::format("the buffer view of accessor {} has a "
-                                                   "byteStride, which is for vertex data only",
-                                                   *index));
+        return json.invalid("indices",
+                            fmt::format("the buffer view of accessor {} has a "
+                                        "byteStride, which only vertex attributes may use",
+                                        *index));
     HM_TRY(take_work(json, source, std::uint64_t{accessor.count} * sizeof(uvec3)));
     Indices indices(accessor.count);
     const std::span<std::uint32_t> each = indices.each();
     HM_TRY(read_integers_to(source, *index, {each.data(), 1}));
-    // The primitive restart value is the type's largest, which no vertex may have: refused here
-    // too.
+    // This also rejects the primitive restart value, the maximum of the index type.
     const auto past =
         std::find_if(each.begin(), each.end(), [&](std::uint32_t i) { return i >= vertex_count; });
     if (past != each.end())
@@ -56,19 +56,19 @@ Result<Indices> read_indices(const Json& json, Source& source, std::uint32_t ver
     return indices;
 }
 
-// The topology, or nothing for points and lines.
+// The topology, or nullopt for points and lines.
 Result<std::optional<Topology>> read_topology(const Json& json, Source& source) {
     HM_TRY_ASSIGN(const auto mode, json.integer("mode"));
-    if (mode && *mode > 6) return json.invalid("mode", fmt::format("{} is no mode", *mode));
+    if (mode && *mode > 6) return json.invalid("mode", fmt::format("{} is not a mode", *mode));
     if (!mode) return Topology::triangles;
     if (*mode < 4) {
-        source.warn(json.pointer(), "points and lines are not drawn");
+        source.warn(json.pointer(), "points and lines are not rendered");
         return std::nullopt;
     }
     return static_cast<Topology>(*mode);
 }
 
-// A textured material reads zeros where the primitive lacks the coordinates.
+// Textures read (0, 0) if the primitive has no such coordinates.
 void check_texture_coordinates(const Json& json, Source& source, const Material& material,
                                const Attributes& attributes) {
     for (const MaterialTexture& texture : material_textures()) {
@@ -77,8 +77,7 @@ void check_texture_coordinates(const Json& json, Source& source, const Material&
         const bool present = (slot.uv_set == 0 ? attributes.uv0 : attributes.uv1).has_value();
         if (present) continue;
         source.warn(json.pointer(),
-                    "the material's textures need coordinates that are missing; "
-                    "zero is used");
+                    "texture coordinates that the material uses are missing; 0 is used");
         return;
     }
 }
@@ -91,7 +90,7 @@ bool reads_second_coordinates(const Material& material) {
     });
 }
 
-// What moves the vertices. `count` and `kept` as in read_targets.
+// Morph targets and skinning attributes. `count` and `kept` are those of read_targets.
 Result<void> read_deformation(const Json& json, Source& source, std::uint32_t count,
                               const std::vector<std::uint32_t>& kept, Primitive& primitive) {
     auto deformation = std::make_shared<Deformation>();
@@ -105,7 +104,7 @@ Result<void> read_deformation(const Json& json, Source& source, std::uint32_t co
     return {};
 }
 
-// Nothing for what makes no triangles.
+// nullopt if the primitive has no triangles.
 Result<std::optional<Primitive>> read_primitive(const Json& json, Source& source,
                                                 const std::vector<Material>& materials) {
     Primitive primitive;
@@ -121,7 +120,7 @@ Result<std::optional<Primitive>> read_primitive(const Json& json, Source& source
     attributes->uv1_is_read = material && reads_second_coordinates(materials[*material]);
     HM_TRY_ASSIGN(Indices indices, read_indices(json, source, attributes->count));
     if (topology == Topology::triangles ? indices.count % 3 != 0 : indices.count < 3)
-        source.warn(json.pointer(), "vertices left over that complete no triangle");
+        source.warn(json.pointer(), "the last vertices do not complete a triangle");
     primitive.triangles = make_triangles(*topology, std::move(indices));
     if (primitive.triangles.empty()) return std::nullopt;
     HM_TRY(read_vertices(*attributes, source, primitive));
@@ -142,7 +141,7 @@ Result<std::vector<Mesh>> read_meshes(const Json& root, Source& source,
         Mesh mesh;
         HM_TRY_ASSIGN(mesh.name, name_of(item));
         HM_TRY_ASSIGN(const std::vector<Json> primitives, item.objects("primitives"));
-        if (primitives.empty()) source.warn(item.pointer(), "a mesh without primitives");
+        if (primitives.empty()) source.warn(item.pointer(), "the mesh has no primitives");
         HM_TRY_ASSIGN(const std::size_t target_count, count_targets(item, primitives));
         HM_TRY_ASSIGN(mesh.weights, read_weights(item, target_count));
         mesh.weights.resize(target_count, 0.0f);

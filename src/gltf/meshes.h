@@ -1,4 +1,4 @@
-// Meshes (glTF 2.0, 3.7.2): every primitive that makes triangles, as an indexed triangle list.
+// Meshes (glTF 2.0, 3.7.2): all primitives of triangles, as indexed triangle lists.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace hm::gltf {
 
-// One scene mesh per mesh of the file, in its order, at rest.
+// One scene mesh per mesh of the file, in file order, in its rest pose.
 Result<std::vector<Mesh>> read_meshes(const Json& root, Source& source,
                                       const std::vector<Material>& materials);
 

@@ -1,4 +1,4 @@
-// Primitives: attributes, indices, topologies.
+// Primitives: attributes, indices and topologies.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ const Primitive& first(const Loaded& loaded) {
     return loaded.scene->meshes.at(0).primitives.at(0);
 }
 
-// The same of a material whose texture reads the second coordinates.
+// The same with a material whose texture reads TEXCOORD_1.
 Overrides reading_uv1(const std::string& attributes) {
     Overrides out = primitive(fmt::format(R"({{"material":0,"attributes":{}}})", attributes));
     out["materials"] = R"([{"emissiveTexture":{"index":0,"texCoord":1}}])";
@@ -28,7 +28,7 @@ Overrides reading_uv1(const std::string& attributes) {
     return out;
 }
 
-// The base document with other content for one of its buffer's parts.
+// The base document with a part of its buffer replaced.
 Overrides with_bytes(std::size_t at, const std::string& bytes, const std::string& json) {
     Overrides out = primitive(json);
     out["buffers"] = buffers(triangle_bytes().replace(at, bytes.size(), bytes));
@@ -44,7 +44,7 @@ TEST(Meshes, EveryAttribute) {
     EXPECT_TRUE(p.has_normals && p.has_tangents);
     ASSERT_EQ(p.vertices.size(), 3u);
     ASSERT_EQ(p.extras.size(), 3u);
-    EXPECT_EQ(p.vertices[1].normal, vec3(0, 0, 1));  // normalised
+    EXPECT_EQ(p.vertices[1].normal, vec3(0, 0, 1));  // normalized
     EXPECT_NEAR(double(p.vertices[2].normal.y), 0.6, 1e-7);
     EXPECT_EQ(p.vertices[1].tangent, vec4(1, 0, 0, -1));
     EXPECT_EQ(p.extras[2].uv1, vec2(0, 1));
@@ -147,23 +147,23 @@ TEST(Meshes, LeavesOutWhatMakesNoTriangles) {
     }
     const Loaded nothing = load_text(document(primitive(R"({"attributes":{"NORMAL":1}})")));
     ASSERT_TRUE(nothing.scene);
-    EXPECT_EQ(nothing.warned("/meshes/0/primitives/0", "without positions"), 1u);
+    EXPECT_EQ(nothing.warned("/meshes/0/primitives/0", "without POSITION"), 1u);
 
     const Loaded empty = load_text(document({{"meshes", R"([{"primitives":[]}])"}}));
     ASSERT_TRUE(empty.scene);
-    EXPECT_EQ(empty.warned("/meshes/0", "without primitives"), 1u);
+    EXPECT_EQ(empty.warned("/meshes/0", "has no primitives"), 1u);
 }
 
 TEST(Meshes, LeftOverIndices) {
     Overrides overrides = primitive(R"({"indices":3,"attributes":{"POSITION":0}})");
-    // The view holds three; count 2 makes no triangle.
+    // The view has three indices; count 2 is less than a triangle.
     std::string text = document(overrides);
     const std::string from = R"("type":"SCALAR","count":3)";
     text.replace(text.find(from), from.size(), R"("type":"SCALAR","count":2)");
     const Loaded loaded = load_text(text);
     ASSERT_TRUE(loaded.scene);
     EXPECT_TRUE(loaded.scene->meshes.at(0).primitives.empty());
-    EXPECT_EQ(loaded.warned("/meshes/0/primitives/0", "left over"), 1u);
+    EXPECT_EQ(loaded.warned("/meshes/0/primitives/0", "do not complete a triangle"), 1u);
 }
 
 TEST(Meshes, Refusals) {
@@ -176,23 +176,23 @@ TEST(Meshes, Refusals) {
         {"no such accessor", primitive(R"({"attributes":{"POSITION":6}})"),
          "/meshes/0/primitives/0/attributes/POSITION", "past the end"},
         {"positions of two", primitive(R"({"attributes":{"POSITION":2}})"),
-         "/meshes/0/primitives/0/attributes/POSITION", "can't have"},
+         "/meshes/0/primitives/0/attributes/POSITION", "a type that is invalid for"},
         {"normals of bytes", primitive(R"({"attributes":{"POSITION":0,"NORMAL":4}})"),
-         "/meshes/0/primitives/0/attributes/NORMAL", "can't have"},
+         "/meshes/0/primitives/0/attributes/NORMAL", "a type that is invalid for"},
         {"tangents of three", primitive(R"({"attributes":{"POSITION":0,"TANGENT":1}})"),
-         "/meshes/0/primitives/0/attributes/TANGENT", "can't have"},
+         "/meshes/0/primitives/0/attributes/TANGENT", "a type that is invalid for"},
         {"uv of three", primitive(R"({"attributes":{"POSITION":0,"TEXCOORD_1":1}})"),
-         "/meshes/0/primitives/0/attributes/TEXCOORD_1", "can't have"},
+         "/meshes/0/primitives/0/attributes/TEXCOORD_1", "a type that is invalid for"},
         {"colours of shorts", primitive(R"({"attributes":{"POSITION":0,"COLOR_0":3}})"),
-         "/meshes/0/primitives/0/attributes/COLOR_0", "can't have"},
+         "/meshes/0/primitives/0/attributes/COLOR_0", "a type that is invalid for"},
         {"mode 7", primitive("{\"mode\":7," + good + "}"), "/meshes/0/primitives/0/mode",
-         "no mode"},
+         "not a mode"},
         {"no such material", primitive("{\"material\":0," + good + "}"),
          "/meshes/0/primitives/0/material", "past the end of the 0"},
         {"no such indices", primitive("{\"indices\":9," + good + "}"),
          "/meshes/0/primitives/0/indices", "past the end"},
         {"float indices", primitive("{\"indices\":0," + good + "}"),
-         "/meshes/0/primitives/0/indices", "unsigned integers"},
+         "/meshes/0/primitives/0/indices", "unsigned integer scalars"},
         {"index 3 of 3", index({0, 1, 3}), "/meshes/0/primitives/0/indices",
          "index 3 (element 2 of accessor 3) is past the end of the 3 vertices"},
         {"restart", index({0, 65535, 2}), "/meshes/0/primitives/0/indices", "index 65535"},

@@ -10,7 +10,7 @@ namespace {
 
 using Kept = std::vector<std::uint32_t>;
 
-// What may stand in a delta's accessor besides floats.
+// Which integers a delta may use in place of floats.
 enum class Encoding { position, direction, other };
 
 struct TargetReader {
@@ -23,14 +23,14 @@ struct TargetReader {
     Result<std::optional<std::size_t>> find(std::string_view key, ElementType type,
                                             Encoding encoding);
 
-    // Appends the deltas that are not zero. T is a vector of as many floats or more, the rest zero.
+    // Appends the nonzero deltas. T may have more components than the accessor; they become zero.
     template <class T>
     Result<void> read(std::string_view key, ElementType type, Encoding encoding,
                       std::vector<Delta<T>>& out);
 };
 
-// KHR_mesh_quantization adds integers for positions and directions, signed ones only (the table in
-// its section "Extending Morph Target Attributes").
+// KHR_mesh_quantization adds signed integers for positions and directions (table in its section
+// "Extending Morph Target Attributes").
 bool is_encoded(const Accessor& accessor, Encoding use, bool quantized) {
     const bool is_signed =
         accessor.component == ComponentType::int8 || accessor.component == ComponentType::int16;
@@ -40,7 +40,7 @@ bool is_encoded(const Accessor& accessor, Encoding use, bool quantized) {
         case Encoding::direction:
             return quantized && is_signed && accessor.normalized;
         case Encoding::other:
-            return accessor.normalized;  // 8 and 16 bits only, as read_accessors saw to
+            return accessor.normalized;  // 8 or 16 bits, ensured by read_accessors
     }
     return false;
 }
@@ -53,16 +53,16 @@ bool has_type(const Accessor& accessor, std::string_view key, ElementType type, 
            is_encoded(accessor, encoding, quantized);
 }
 
-// One attribute's accessor, checked against the primitive's own.
+// An attribute's accessor, checked against that of the primitive.
 Result<std::optional<std::size_t>> TargetReader::find(std::string_view key, ElementType type,
                                                       Encoding encoding) {
     HM_TRY_ASSIGN(const auto& index, target.index(key, source.accessors.size(), "accessors"));
     if (!index) return std::nullopt;
-    if (!base.has(key)) return target.invalid(key, "the primitive itself has no such attribute");
+    if (!base.has(key)) return target.invalid(key, "the primitive does not have this attribute");
     const Accessor& accessor = source.accessors[*index];
     if (!has_type(accessor, key, type, encoding, source.quantized))
         return target.invalid(
-            key, fmt::format("accessor {} has a type that this delta can't have", *index));
+            key, fmt::format("accessor {} has a type that is invalid for this delta", *index));
     if (accessor.count != count)
         return target.invalid(key, fmt::format("accessor {} has {} elements, POSITION has {}",
                                                *index, accessor.count, count));

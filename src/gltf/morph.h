@@ -10,14 +10,14 @@
 
 namespace hm::gltf {
 
-// How many targets each primitive of the mesh has, which must be the same number.
+// The number of targets, which must be the same for all primitives of the mesh.
 Result<std::size_t> count_targets(const Json& mesh, const std::vector<Json>& primitives);
 
-// A list of one number per target; empty where absent. `owner` is a mesh or a node.
+// One number per target; empty if absent. `owner` is a mesh or a node.
 Result<std::vector<float>> read_weights(const Json& owner, std::size_t target_count);
 
-// The targets' deltas of the attributes that the primitive has. `kept` says which of the file's
-// `count` vertices the primitive's are; empty: all of them.
+// The targets' deltas of the attributes that the primitive has. `kept` lists which of the file's
+// `count` vertices the primitive uses; empty: all.
 Result<std::vector<MorphTarget>> read_targets(const Json& json, Source& source,
                                               const Primitive& primitive, std::uint32_t count,
                                               const std::vector<std::uint32_t>& kept);

@@ -16,11 +16,11 @@
 namespace hm::gltf {
 namespace {
 
-// How the file's nodes hang together.
+// Parents and children of the file's nodes.
 struct Hierarchy {
     std::vector<int> parents;  // kUnset for roots
     std::vector<int> children;
-    std::vector<std::uint32_t> child_ends{0};  // node i's children end at [i + 1], and begin at [i]
+    std::vector<std::uint32_t> child_ends{0};  // node i's children are in [i] to [i + 1]
 
     std::size_t size() const { return parents.size(); }
     std::span<const int> children_of(std::size_t node) const {
@@ -33,12 +33,12 @@ int to_int(const std::optional<std::size_t>& index) {
     return index ? static_cast<int>(*index) : kUnset;
 }
 
-tl::unexpected<Error> broken(const Source& source, int node, std::string message) {
+tl::unexpected<Error> invalid_node(const Source& source, int node, std::string message) {
     return fail(ErrorKind::invalid, source.file, fmt::format("/nodes/{}", node),
                 std::move(message));
 }
 
-// KHR_node_visibility; whether the node's ancestors are visible is another matter.
+// KHR_node_visibility of the node itself, regardless of its ancestors.
 Result<bool> read_visible(const Json& item) {
     HM_TRY_ASSIGN(const auto& extension, extension_of(item, "KHR_node_visibility"));
     if (!extension || !extension->has("visible")) return true;
@@ -49,7 +49,7 @@ Result<void> read_extensions(const Json& item, Source& source, const Scene& scen
     HM_TRY_ASSIGN(out.visible, read_visible(item));
     HM_TRY_ASSIGN(out.instances, read_instances(item, source));
     if (!out.instances.empty() && (out.mesh == kUnset || out.skin != kUnset)) {
-        source.warn(item.pointer(), "instances of no mesh or of a skinned one are not drawn");
+        source.warn(item.pointer(), "instances of a skinned mesh or of no mesh are not rendered");
         out.instances.clear();
     }
     HM_TRY_ASSIGN(const auto& lights, extension_of(item, "KHR_lights_punctual"));
@@ -60,14 +60,14 @@ Result<void> read_extensions(const Json& item, Source& source, const Scene& scen
     return {};
 }
 
-// All but its place in the hierarchy.
+// Everything but parents and children.
 Result<void> read_node(const Json& item, Source& source, std::size_t skin_count, const Scene& scene,
                        Node& out) {
     HM_TRY_ASSIGN(out.name, name_of(item));
     HM_TRY(read_transform(item, out));
     HM_TRY_ASSIGN(const auto& mesh, item.index("mesh", scene.meshes.size(), "meshes"));
     HM_TRY_ASSIGN(const auto& skin, item.index("skin", skin_count, "skins"));
-    if (skin && !mesh) return item.invalid("skin", "a node without a mesh has no skin");
+    if (skin && !mesh) return item.invalid("skin", "a node with a skin must have a mesh");
     HM_TRY_ASSIGN(out.weights, read_weights(item, mesh ? scene.meshes[*mesh].weights.size() : 0));
     HM_TRY_ASSIGN(const auto& camera, item.index("camera", scene.cameras.size(), "cameras"));
     out.mesh = to_int(mesh);
@@ -77,20 +77,20 @@ Result<void> read_node(const Json& item, Source& source, std::size_t skin_count,
     return read_extensions(item, source, scene, out);
 }
 
-// Fails unless the nodes are strict trees (3.5.2).
+// Fails unless the nodes form strict trees (3.5.2).
 Result<void> set_parents(const Source& source, Hierarchy& nodes) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (const int child : nodes.children_of(i)) {
             int& parent = nodes.parents[std::size_t(child)];
             if (parent != kUnset)
-                return broken(source, child,
-                              fmt::format("is a child of node {} and of node {}", parent, i));
+                return invalid_node(source, child,
+                                    fmt::format("is a child of node {} and of node {}", parent, i));
             parent = static_cast<int>(i);
         }
     }
-    // With one parent each, what a walk up from a node meets twice is a cycle. Every node is
-    // passed once: a walk ends where an earlier one was.
-    std::vector<std::size_t> walk_of(nodes.size(), 0);  // 0: not met yet
+    // Each node has one parent, so a node visited twice on a walk to the root is part of a cycle.
+    // Walks stop at nodes visited by earlier ones, so this takes linear time.
+    std::vector<std::size_t> walk_of(nodes.size(), 0);  // 0: not visited
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         std::size_t at = i;
         while (walk_of[at] == 0) {
@@ -98,13 +98,13 @@ Result<void> set_parents(const Source& source, Hierarchy& nodes) {
             const int parent = nodes.parents[at];
             if (parent == kUnset) break;
             at = static_cast<std::size_t>(parent);
-            if (walk_of[at] == i + 1) return broken(source, parent, "is its own ancestor");
+            if (walk_of[at] == i + 1) return invalid_node(source, parent, "is its own ancestor");
         }
     }
     return {};
 }
 
-// All of the file's nodes, into scene.nodes as they stand in the file.
+// Reads all nodes into scene.nodes, in file order.
 Result<Hierarchy> read_all(const Json& root, Source& source, std::size_t count, Scene& scene) {
     HM_TRY_ASSIGN(const std::size_t skin_count, root.count("skins"));
     Hierarchy nodes;
@@ -132,7 +132,7 @@ std::vector<std::size_t> all_roots(const Hierarchy& nodes) {
     return roots;
 }
 
-// The scene of the options' name or index, a name first.
+// The scene with the name or index in the options; names first.
 Result<std::size_t> find_scene(const std::vector<Json>& scenes, const Source& source) {
     const std::string& wanted = source.options.scene;
     std::string known;
@@ -151,8 +151,8 @@ Result<std::size_t> find_scene(const std::vector<Json>& scenes, const Source& so
                         source.file);
 }
 
-// The root nodes of the scene that the options or "scene" name, of the first one, or of the whole
-// file.
+// The root nodes of the scene chosen by the options or by "scene", else of the first scene, else of
+// the whole file.
 Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
                                               const Hierarchy& nodes) {
     HM_TRY_ASSIGN(const std::vector<Json> scenes, root.objects("scenes"));
@@ -164,7 +164,7 @@ Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
         HM_TRY_ASSIGN(chosen, find_scene(scenes, source));
     }
     if (scenes.empty()) {
-        source.warn("", "the file has no scene; all its nodes are shown");
+        source.warn("", "the file has no scene; all nodes are rendered");
         return all_roots(nodes);
     }
     const Json& scene = scenes[chosen];
@@ -172,7 +172,8 @@ Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
     std::vector<bool> listed(nodes.size(), false);
     for (std::size_t i = 0; i < roots.size(); ++i) {
         const auto key = [&] { return fmt::format("nodes/{}", i); };
-        if (listed[roots[i]]) return scene.invalid(key(), fmt::format("node {} again", roots[i]));
+        if (listed[roots[i]])
+            return scene.invalid(key(), fmt::format("node {} is repeated", roots[i]));
         if (nodes.parents[roots[i]] != kUnset)
             return scene.invalid(key(), fmt::format("node {} is a child of node {}", roots[i],
                                                     nodes.parents[roots[i]]));
@@ -182,8 +183,8 @@ Result<std::vector<std::size_t>> choose_roots(const Json& root, Source& source,
     return roots;
 }
 
-// The index that each of the file's nodes gets in the scene, or kUnset. Depth first, so that
-// parents come before children and siblings keep their order.
+// Maps the file's node indices to the scene's, or to kUnset. Depth first, so that parents come
+// before children and siblings keep their order.
 std::vector<int> number_nodes(const Hierarchy& nodes, const std::vector<std::size_t>& roots) {
     std::vector<int> scene_node(nodes.size(), kUnset);
     std::vector<std::size_t> open(roots.rbegin(), roots.rend());
@@ -197,9 +198,9 @@ std::vector<int> number_nodes(const Hierarchy& nodes, const std::vector<std::siz
     return scene_node;
 }
 
-// Puts each node where `scene_node` says, and drops those that are not shown. In place: there may
-// be millions.
-void arrange(std::vector<Node>& nodes, std::vector<int> scene_node) {
+// Moves each node to its index in `scene_node` and drops the others. In place, since there may be
+// millions.
+void reorder(std::vector<Node>& nodes, std::vector<int> scene_node) {
     int next = static_cast<int>(
         nodes.size() - std::size_t(std::count(scene_node.begin(), scene_node.end(), kUnset)));
     const auto shown = static_cast<std::size_t>(next);
@@ -221,7 +222,7 @@ bool is_finite(const glm::mat4& m) {
     return true;
 }
 
-// Whether 32-bit floats can hold the node's world transforms.
+// Whether the node's world transforms fit 32-bit floats.
 bool all_finite(const Node& node, const glm::dmat4& world) {
     return is_finite(glm::mat4(world)) &&
            std::all_of(node.instances.begin(), node.instances.end(),
@@ -230,20 +231,20 @@ bool all_finite(const Node& node, const glm::dmat4& world) {
                        });
 }
 
-// That every node has a place in the world.
+// Fails if a world transform overflows.
 Result<void> check_finite(const Source& source, const Scene& scene) {
     struct Ancestor {
         int node;
         glm::dmat4 world;
     };
-    std::vector<Ancestor> path;  // nodes stand depth first, so only these are still needed
+    std::vector<Ancestor> path;  // nodes are in depth-first order, so this is enough
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
         while (!path.empty() && path.back().node != node.parent)
             path.pop_back();
         const glm::dmat4 world = path.empty() ? node.local : path.back().world * node.local;
         if (!all_finite(node, world))
-            return broken(source, node.index, "its world transform overflows a 32-bit float");
+            return invalid_node(source, node.index, "its world transform overflows a 32-bit float");
         path.push_back({static_cast<int>(i), world});
     }
     return {};
@@ -261,7 +262,7 @@ Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& sce
     for (std::size_t i = 0; i < count; ++i)
         if (const int parent = hierarchy.parents[i]; parent != kUnset)
             scene.nodes[i].parent = scene_node[std::size_t(parent)];
-    arrange(scene.nodes, scene_node);
+    reorder(scene.nodes, scene_node);
     HM_TRY(check_finite(source, scene));
     return scene_node;
 }

@@ -1,4 +1,4 @@
-// The node hierarchy (glTF 2.0, 3.5) of the scene that is shown.
+// The node hierarchy (glTF 2.0, 3.5) of the chosen scene.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace hm::gltf {
 
-// Fills scene.nodes; meshes, cameras and lights are there already. Any depth of nesting is fine.
-// Returns the scene's index of each of the file's nodes, or kUnset.
+// Fills scene.nodes; scene's meshes, cameras and lights must be filled. Nesting may be of any
+// depth. Returns the scene's index of each of the file's nodes, or kUnset.
 Result<std::vector<int>> read_nodes(const Json& root, Source& source, Scene& scene);
 
 }  // namespace hm::gltf

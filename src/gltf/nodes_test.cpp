@@ -1,4 +1,4 @@
-// Node hierarchies: transforms, order, scenes, and graphs that are no trees.
+// Node hierarchies: transforms, order, scenes, and graphs that are not trees.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -32,12 +32,12 @@ TEST(Transforms, MatrixAndParts) {
     EXPECT_EQ(m[3], vec4(10, 11, 12, 1));
     expect_near(local(R"({"translation":[1,2,3]})"), {1, 1, 1}, {2, 3, 4});
     expect_near(local(R"({"scale":[2,3,4]})"), {1, 1, 1}, {2, 3, 4});
-    // A quarter turn about z, x to y; the quaternion is not of unit length.
+    // pi / 2 about z, x to y; the quaternion is not normalized.
     expect_near(local(R"({"rotation":[0,0,2,2]})"), {1, 0, 0}, {0, 1, 0});
     // About x, y to z; and about y, z to x.
     expect_near(local(R"({"rotation":[1,0,0,1]})"), {0, 1, 0}, {0, 0, 1});
     expect_near(local(R"({"rotation":[0,1,0,1]})"), {0, 0, 1}, {1, 0, 0});
-    // Scaled first, then turned, then moved.
+    // Scaled, then rotated, then translated.
     expect_near(local(R"({"translation":[10,0,0],"rotation":[0,0,1,1],"scale":[2,1,1]})"),
                 {1, 0, 0}, {10, 2, 0});
 }
@@ -115,8 +115,8 @@ TEST(Nodes, Refusals) {
         {"itself", nodes(R"([{"children":[0]}])"), "/nodes/0", "own ancestor"},
         {"cycle", nodes(R"([{},{"children":[2]},{"children":[3]},{"children":[1]}])"), "/nodes/1",
          "own ancestor"},
-        {"hangs from a cycle", nodes(R"([{},{"children":[2]},{"children":[1,0]}])", "[]"),
-         "/nodes/2", "own ancestor"},
+        {"child of a cycle", nodes(R"([{},{"children":[2]},{"children":[1,0]}])", "[]"), "/nodes/2",
+         "own ancestor"},
         {"no such mesh", nodes(R"([{"mesh":1}])"), "/nodes/0/mesh", "past the end of the 1 meshes"},
         {"no such camera", nodes(R"([{"camera":0}])"), "/nodes/0/camera", "past the end of the 0"},
         {"no such light", nodes(mesh_light + R"({"light":0}}}])"),
@@ -124,7 +124,7 @@ TEST(Nodes, Refusals) {
         {"no light", nodes(mesh_light + "{}}}]"), "/nodes/0/extensions/KHR_lights_punctual/light",
          "is required"},
         {"no such root", nodes("[{}]", "[1]"), "/scenes/0/nodes/0", "past the end"},
-        {"root twice", nodes("[{}]", "[0,0]"), "/scenes/0/nodes/1", "node 0 again"},
+        {"root twice", nodes("[{}]", "[0,0]"), "/scenes/0/nodes/1", "node 0 is repeated"},
         {"root is a child", nodes(R"([{"children":[1]},{}])", "[0,1]"), "/scenes/0/nodes/1",
          "child of node 0"},
         {"no such scene", {{"scene", "1"}}, "/scene", "past the end of the 1 scenes"},
@@ -141,7 +141,7 @@ std::string json_array(const std::vector<std::string>& items) {
 }
 
 TEST(Nodes, ChainsOfAnyDepth) {
-    // Every node's parent stands behind it in the file.
+    // Every node precedes its parent in the file.
     constexpr std::size_t kCount = 300000;
     std::vector<std::string> list(kCount);
     for (std::size_t i = 0; i + 1 < kCount; ++i)

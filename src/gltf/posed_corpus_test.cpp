@@ -1,4 +1,4 @@
-// Every animated file of a folder of real ones, posed at several times of each of its animations.
+// Poses every animated file of a folder of real files at several times of each animation.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -22,7 +22,7 @@ Result<std::vector<glm::mat4>> read_inverse_bind(const Json& skin, Source& sourc
     if (!index) return out;
     const Accessor& accessor = source.accessors[*index];
     if (accessor.type != ElementType::mat4 || accessor.component != ComponentType::float32)
-        return skin.invalid(kKey, "inverse bind matrices are 4x4 matrices of floats");
+        return skin.invalid(kKey, "inverse bind matrices must be MAT4 of floats");
     if (accessor.count < joint_count)
         return skin.invalid(kKey, fmt::format("accessor {} has {} elements for {} joints", *index,
                                               accessor.count, joint_count));
@@ -34,15 +34,15 @@ Result<std::vector<glm::mat4>> read_inverse_bind(const Json& skin, Source& sourc
         std::copy_n(values.begin() + std::ptrdiff_t(16 * i), 16, columns.begin());
         const auto matrix = affine_matrix(columns);
         if (!matrix)
-            return fail(ErrorKind::invalid, source.file, accessor_place(*index),
+            return fail(ErrorKind::invalid, source.file, accessor_pointer(*index),
                         fmt::format("the last row of element {} is not 0 0 0 1", i));
         out[i] = *matrix;
     }
     return out;
 }
 
-// The scene's nodes stand depth first, so a node and all below it are neighbours. `end` is where
-// they end, for each.
+// One past the last descendant of each node. The scene's nodes are in depth-first order, so a
+// subtree is contiguous.
 std::vector<int> subtree_ends(const Scene& scene) {
     std::vector<int> end(scene.nodes.size());
     for (std::size_t i = scene.nodes.size(); i-- > 0;) {
@@ -53,29 +53,29 @@ std::vector<int> subtree_ends(const Scene& scene) {
     return end;
 }
 
-// The specification wants one hierarchy; drawing does not need it.
+// The specification requires a common root; rendering does not need it.
 void check_hierarchy(const Json& json, Source& source, const Skin& skin, const Scene& scene,
                      const std::vector<int>& ends, int skeleton) {
     const auto [low, high] = std::minmax_element(skin.joints.begin(), skin.joints.end());
-    if (*low == kUnset) return;  // an error where the skin is used
+    if (*low == kUnset) return;  // reported where the skin is used
     int root = *low;
     while (root != kUnset && ends[std::size_t(root)] <= *high)
         root = scene.nodes[std::size_t(root)].parent;
     if (root == kUnset)
         source.warn(json.pointer_of("joints"), "the joints have no common root");
     else if (skeleton != kUnset && (skeleton > *low || ends[std::size_t(skeleton)] <= *high))
-        source.warn(json.pointer_of("skeleton"), "is no common root of the joints");
+        source.warn(json.pointer_of("skeleton"), "is not a common root of the joints");
 }
 
 Result<std::vector<int>> read_joints(const Json& json, const std::vector<int>& scene_node) {
     HM_TRY_ASSIGN(const auto joints, json.indices("joints", scene_node.size(), "nodes"));
-    if (joints.empty()) return json.invalid("joints", "a skin has at least one joint");
+    if (joints.empty()) return json.invalid("joints", "a skin must have at least one joint");
     std::vector<int> out;
     std::set<std::size_t> known;
     for (const std::size_t joint : joints) {
         if (!known.insert(joint).second)
             return json.invalid(fmt::format("joints/{}", out.size()),
-                                fmt::format("node {} again", joint));
+                                fmt::format("node {} is repeated", joint));
         out.push_back(scene_node[joint]);
     }
     return out;
@@ -88,19 +88,18 @@ std::uint32_t joints_needed(const Deformation& d) {
     return needed;
 }
 
-// What is wrong with drawing the mesh with the skin; empty: nothing.
-std::string misfit(const Mesh& mesh, const Node& node, const Skin& skin) {
+// Why the mesh cannot use the skin; empty if it can.
+std::string skin_mismatch(const Mesh& mesh, const Node& node, const Skin& skin) {
     for (std::size_t i = 0; i < skin.joints.size(); ++i)
         if (skin.joints[i] == kUnset)
-            return fmt::format("joint {} of skin {} is not in the scene that is shown", i,
-                               node.skin);
+            return fmt::format("joint {} of skin {} is not in the chosen scene", i, node.skin);
     for (const Primitive& primitive : mesh.primitives) {
         if (!primitive.deformation || primitive.deformation->influences == 0)
             return fmt::format("mesh {} has a primitive without JOINTS_0 and WEIGHTS_0", node.mesh);
         const std::uint32_t needed = joints_needed(*primitive.deformation);
         if (needed > skin.joints.size())
-            return fmt::format("mesh {} uses joint {}, the skin has {}", node.mesh, needed - 1,
-                               skin.joints.size());
+            return fmt::format("mesh {} uses joint {}, but the skin has only {}", node.mesh,
+                               needed - 1, skin.joints.size());
     }
     return "";
 }
@@ -131,8 +130,8 @@ Result<void> check_skinned_nodes(const Source& source, const std::vector<int>& s
         if (scene_node[i] == kUnset) continue;
         const Node& node = scene.nodes[std::size_t(scene_node[i])];
         if (node.skin == kUnset) continue;
-        std::string wrong =
-            misfit(scene.meshes[std::size_t(node.mesh)], node, scene.skins[std::size_t(node.skin)]);
+        std::string wrong = skin_mismatch(scene.meshes[std::size_t(node.mesh)], node,
+                                          scene.skins[std::size_t(node.skin)]);
         if (!wrong.empty())
             return fail(ErrorKind::invalid, source.file, fmt::format("/nodes/{}/skin", i),
                         std::move(wrong));

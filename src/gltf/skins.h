@@ -1,4 +1,4 @@
-// Skins (glTF 2.0, 3.7.3.1) and the nodes that wear them.
+// Skins (glTF 2.0, 3.7.3.1) and checks of the nodes that use them.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace hm::gltf {
 
-// One scene skin per skin of the file, in its order. `scene_node` has the scene's index of each of
-// the file's nodes, or kUnset.
+// One scene skin per skin of the file, in file order. `scene_node` maps node indices of the file to
+// those of the scene, or to kUnset.
 Result<std::vector<Skin>> read_skins(const Json& root, Source& source,
                                      const std::vector<int>& scene_node, const Scene& scene);
 
-// Every mesh that a node draws with a skin has joints, and the skin has as many as it needs, all in
-// the scene that is shown. `scene.skins` are there already.
+// Fails if a skinned node's mesh has no joint attributes or uses joints that the skin does not
+// have, or if a joint is outside the chosen scene. scene.skins must be filled.
 Result<void> check_skinned_nodes(const Source& source, const std::vector<int>& scene_node,
                                  const Scene& scene);
 

@@ -1,4 +1,4 @@
-// Skins of files: influences, inverse bind matrices, who wears what, and what is refused.
+// Skins in files: influences, inverse bind matrices, skinned nodes, and rejected files.
 #include "gltf/test_accessors.h"
 #include "scene/pose.h"
 
@@ -49,10 +49,10 @@ TEST(Skins, BindMatricesAndWeights) {
     const Loaded loaded =
         load_text(document(file(kOneSet, R"([{"joints":[1,2],"inverseBindMatrices":10}])")));
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
-    // The joints stand at z = 1 and at (8, 0, 5), the second bound at x = 8.
+    // The joints are at z = 1 and at (8, 0, 5); the second was bound at x = 8.
     EXPECT_EQ(position(loaded, 0), vec3(0, 0, 3));
     EXPECT_EQ(position(loaded, 1), vec3(1, 0, 5));
-    EXPECT_EQ(position(loaded, 2), vec3(0, 2, 5));  // its weight of 3 counts as 1
+    EXPECT_EQ(position(loaded, 2), vec3(0, 2, 5));  // its weight of 3 is normalized to 1
     EXPECT_EQ(loaded.diagnostics.warnings().size(), 1u);
     EXPECT_EQ(loaded.warned("/meshes/0/primitives/0", "do not sum to one"), 1u);
 }
@@ -62,7 +62,7 @@ TEST(Skins, WithoutBindMatricesAndWithTwoSets) {
         file(R"("JOINTS_0":6,"WEIGHTS_0":7,"JOINTS_1":8,"WEIGHTS_1":9)", R"([{"joints":[1,2]}])")));
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
     EXPECT_EQ(loaded.scene->meshes[0].primitives[0].deformation->influences, 8u);
-    // Half by joint 1 at (8, 0, 5), half by joint 0 at z = 1.
+    // Weight 0.5 for joint 1 at (8, 0, 5), 0.5 for joint 0 at z = 1.
     EXPECT_EQ(position(loaded, 1), vec3(5, 0, 3));
 }
 
@@ -91,21 +91,21 @@ TEST(Skins, Refusals) {
          "/meshes/0/primitives/0/attributes/WEIGHTS_0", "type"},
         {"negative", file(R"("JOINTS_0":6,"WEIGHTS_0":12)", good), "/accessors/12", "negative"},
         {"too few joints", file(kOneSet, R"([{"joints":[1]}])"), "/nodes/0/skin",
-         "uses joint 1, the skin has 1"},
+         "uses joint 1, but the skin has only 1"},
         {"no influences", file(R"("TEXCOORD_0":2)", good), "/nodes/0/skin", "without JOINTS_0"},
         {"no joint", file(kOneSet, R"([{"joints":[]}])"), "/skins/0/joints", "at least one"},
-        {"joint twice", file(kOneSet, R"([{"joints":[1,1]}])"), "/skins/0/joints/1", "again"},
+        {"joint twice", file(kOneSet, R"([{"joints":[1,1]}])"), "/skins/0/joints/1", "is repeated"},
         {"no such joint", file(kOneSet, R"([{"joints":[1,3]}])"), "/skins/0/joints/1",
          "past the end"},
         {"no such skin", file(kOneSet, "[]"), "/nodes/0/skin", "past the end"},
         {"skin without mesh", file(kOneSet, good, R"([{"skin":0},{},{}])"), "/nodes/0/skin",
-         "without a mesh"},
+         "must have a mesh"},
         {"joint elsewhere", file(kOneSet, good, kNodes, "[0]"), "/nodes/0/skin",
-         "not in the scene"},
+         "not in the chosen scene"},
         {"few matrices", file(kOneSet, R"([{"joints":[1,2],"inverseBindMatrices":11}])"),
          "/skins/0/inverseBindMatrices", "1 elements for 2"},
         {"no matrices", file(kOneSet, R"([{"joints":[1,2],"inverseBindMatrices":7}])"),
-         "/skins/0/inverseBindMatrices", "4x4"},
+         "/skins/0/inverseBindMatrices", "MAT4"},
         {"projection", file(kOneSet, R"([{"joints":[1,2],"inverseBindMatrices":13}])"),
          "/accessors/13", "last row"},
         {"no such skeleton", file(kOneSet, R"([{"joints":[1,2],"skeleton":9}])"),
@@ -117,7 +117,7 @@ TEST(Skins, RoundedWeightsAreClamped) {
     const Loaded loaded =
         load_text(document(file(R"("JOINTS_0":6,"WEIGHTS_0":14)", R"([{"joints":[1,2]}])")));
     ASSERT_TRUE(loaded.scene) << loaded.scene.error().line();
-    EXPECT_EQ(loaded.warned("/accessors/14", "just below 0"), 1u);
+    EXPECT_EQ(loaded.warned("/accessors/14", "slightly below 0"), 1u);
     EXPECT_EQ(loaded.scene->meshes.at(0).primitives.at(0).deformation->weights.at(1), 0.0f);
 }
 
@@ -129,7 +129,7 @@ TEST(Skins, OddHierarchiesAreDrawnWithAWarning) {
     const Loaded skeleton =
         load_text(document(file(kOneSet, R"([{"joints":[1,2],"skeleton":2}])")));
     ASSERT_TRUE(skeleton.scene) << skeleton.scene.error().line();
-    EXPECT_EQ(skeleton.warned("/skins/0/skeleton", "no common root"), 1u);
+    EXPECT_EQ(skeleton.warned("/skins/0/skeleton", "not a common root"), 1u);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What the parts of the loader share: the parsed JSON, the bytes behind it and how they are laid
-// out (glTF 2.0, 3.6). Everything here is checked once; later stages index without checking again.
+// State shared by the parts of the loader: buffers, buffer views and accessors (glTF 2.0, 3.6), the
+// options and the budget. Everything is validated once; later stages index without checks.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace hm::gltf {
 
-// byteLength bytes, or nothing where the file names no source (an extension's business).
+// byteLength bytes, or nullopt if the buffer has no source (extensions may provide one).
 struct Buffer {
     std::optional<std::span<const std::byte>> bytes;
     std::uint64_t length = 0;
@@ -44,7 +44,7 @@ enum class ComponentType : std::uint32_t {
 
 enum class ElementType { scalar, vec2, vec3, vec4, mat2, mat3, mat4 };
 
-// Elements that replace some of an accessor's: `count` indices and as many values, both packed.
+// Sparse storage: `count` packed indices and as many packed values that replace elements.
 struct SparseElements {
     std::uint64_t count = 0;
     std::size_t index_view = 0;
@@ -60,17 +60,17 @@ struct Accessor {
     bool normalized = false;
     std::uint32_t count = 0;
     std::optional<std::size_t> view;  // none: zeros
-    std::uint64_t offset = 0;         // into the view; the last element ends within it
+    std::uint64_t offset = 0;         // into the view; the last element is within the view
     std::uint32_t stride = 0;
     std::optional<SparseElements> sparse;
-    std::vector<float> min, max;  // as the file gives them, not normalized; empty where absent
+    std::vector<float> min, max;  // as in the file, not normalized; empty if absent
 };
 
-// What may still be taken. A small file can name the same bytes many times over.
+// What is left of the limits. A small file can reference the same bytes many times.
 struct Budget {
-    std::uint64_t kept_bytes = 0;     // of memory, until loading ends
-    std::uint64_t decoded_bytes = 0;  // of work: in all, also what is thrown away again
-    std::uint64_t limit = 0;          // what kept_bytes began with, for messages
+    std::uint64_t kept_bytes = 0;     // memory that is held until loading ends
+    std::uint64_t decoded_bytes = 0;  // work: all decoded data, including temporary data
+    std::uint64_t limit = 0;          // initial kept_bytes, for messages
 };
 
 struct Source {
@@ -84,10 +84,10 @@ struct Source {
     std::vector<BufferView> views{};
     std::vector<Accessor> accessors{};
     Budget budget{};
-    Hasher hash{};           // of the file and of every other that is read
+    Hasher hash{};           // of the file and all files it references
     bool quantized = false;  // KHR_mesh_quantization is used
     std::size_t variant_count = 0;
-    std::optional<std::size_t> variant{};  // the chosen one
+    std::optional<std::size_t> variant{};  // the chosen index
 
     void note(std::string pointer, std::string message, std::size_t count = 1) {
         diagnostics.note(file, std::move(pointer), std::move(message), count);
@@ -100,16 +100,16 @@ struct Source {
 std::uint32_t component_size(ComponentType type);
 std::uint32_t component_count(ElementType type);
 
-// Fill the respective tables from the file's root object, in this order.
+// Fill the respective arrays from the root object. Must be called in this order.
 Result<void> read_buffers(const Json& root, Source& source);
 Result<void> read_buffer_views(const Json& root, Source& source);
 Result<void> read_accessors(const Json& root, Source& source);
 
-// The bytes of a buffer view. Fails where its buffer has no source.
+// The bytes of a buffer view. Fails if its buffer has no source.
 Result<std::span<const std::byte>> view_bytes(const Source& source, std::size_t view);
 
-// The bytes a URI names, wherever they are, taken from the budget. `owner` is the buffer or image
-// with a "uri" property.
+// Reads the data of a data URI or file, and charges it to the budget. `owner` is the buffer or
+// image that has the "uri".
 Result<ByteArray> read_uri(Source& source, const Json& owner, std::string_view uri);
 
 }  // namespace hm::gltf

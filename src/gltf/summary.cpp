@@ -28,10 +28,10 @@ Result<void> read_asset(const Json& root, FileSummary& summary) {
 Result<std::vector<FileExtension>> read_extensions(const Json& root) {
     HM_TRY_ASSIGN(std::vector<std::string_view> names, root.texts("extensionsUsed"));
     HM_TRY_ASSIGN(const std::vector<std::string_view> demanded, root.texts("extensionsRequired"));
-    // What is required has to be listed as used as well; not every file does.
+    // Required extensions must be listed as used as well, but not every file does so.
     names.insert(names.end(), demanded.begin(), demanded.end());
     const std::set<std::string_view> required(demanded.begin(), demanded.end());
-    std::set<std::string_view> known;  // hostile lists are long
+    std::set<std::string_view> known;  // a set, since malicious lists are long
     std::vector<FileExtension> extensions;
     for (const std::string_view name : names)
         if (known.insert(name).second)
@@ -74,8 +74,8 @@ Result<void> count_tables(const Json& root, FileCounts& counts) {
 Result<FileSummary> read_summary(const std::filesystem::path& path) {
     const std::string file = path.string();
     HM_TRY_ASSIGN(const ByteArray bytes, read_file(path));
-    Diagnostics unheard;  // load_gltf repeats them
-    HM_TRY_ASSIGN(const gltf::Container container, gltf::split_container(bytes, file, unheard));
+    Diagnostics ignored;  // load_gltf reports them
+    HM_TRY_ASSIGN(const gltf::Container container, gltf::split_container(bytes, file, ignored));
     HM_TRY_ASSIGN(const JsonDocument document, gltf::parse_document(container.json, file));
     const Json& root = document.root();
 

@@ -1,5 +1,5 @@
-// What a glTF file says about itself, read without its buffers and images: also of a file that
-// load_gltf refuses.
+// A summary of a glTF file, read without its buffers and images; also works for files that
+// load_gltf rejects.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct FileExtension {
     bool supported = false;
 };
 
-// How long the file's tables are, whatever of them its scene uses.
+// Lengths of the file's top-level arrays, whether or not the scene uses their elements.
 struct FileCounts {
     std::size_t scenes = 0, nodes = 0, meshes = 0, materials = 0, textures = 0, images = 0;
     std::size_t cameras = 0, lights = 0, animations = 0, skins = 0;
@@ -30,12 +30,12 @@ struct FileSummary {
     std::string version, min_version, generator, copyright;
     std::vector<FileExtension> extensions;  // in the order of extensionsUsed, each once
     FileCounts counts;
-    std::vector<std::string> scenes;    // names, empty where there is none
-    std::size_t scene = 0;              // the one shown
+    std::vector<std::string> scenes;    // names, empty if unnamed
+    std::size_t scene = 0;              // index of the default scene
     std::vector<std::string> variants;  // of materials
 };
 
-// Fails where the file is unreadable, no glTF at all, or one of the tables is of a wrong type.
+// Fails if the file is unreadable, is not glTF, or has a top-level array of the wrong type.
 Result<FileSummary> read_summary(const std::filesystem::path& path);
 
 }  // namespace hm

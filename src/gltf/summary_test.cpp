@@ -1,4 +1,4 @@
-// What a file says about itself, whether or not it can be loaded.
+// File summaries, also of files that cannot be loaded.
 #include "gltf/summary.h"
 
 #include <optional>

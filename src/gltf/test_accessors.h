@@ -1,4 +1,4 @@
-// More accessors behind the six of the tests' base document.
+// Appends accessors to the six of the tests' base document.
 #pragma once
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ class Accessors {
         bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
         return next_++;
     }
-    // With the values' limits.
+    // With min and max.
     std::size_t floats(const char* type, std::size_t count, const std::vector<float>& values) {
         const std::size_t width = values.size() / count;
         std::vector<float> low(values.begin(), values.begin() + std::ptrdiff_t(width)), high = low;
@@ -48,7 +48,7 @@ class Accessors {
                    finite ? fmt::format(R"(,"min":[{}],"max":[{}])", list(low), list(high)) : "");
     }
 
-    // A document's properties with these and `more`.
+    // Properties for document(): these accessors and `more`.
     Overrides with(const Overrides& more) const {
         Overrides all{{"buffers", buffers(bytes_)},
                       {"bufferViews", R"([

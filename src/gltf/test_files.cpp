@@ -42,7 +42,7 @@ std::string triangle_bytes() {
     const std::vector<float> positions{0, 0, 0, 1, 0, 0, 0, 2, 0};
     const std::vector<float> normals{0, 0, 1, 0, 0, 2, 0, 3, 4};
     const std::vector<float> uvs{0, 0, 1, 0, 0, 1};
-    const std::vector<std::uint16_t> indices{0, 1, 2, 0};  // one to keep the alignment
+    const std::vector<std::uint16_t> indices{0, 1, 2, 0};  // one more as padding
     const std::vector<std::uint8_t> colors{255, 0, 51, 255, 0, 255, 0, 102, 0, 0, 255, 0};
     const std::vector<float> tangents{1, 0, 0, 1, 2, 0, 0, -1, 0, 1, 0, 1};
     return bytes_of(positions) + bytes_of(normals) + bytes_of(uvs) + bytes_of(indices) +
@@ -106,7 +106,7 @@ Folder::~Folder() {
 
 std::filesystem::path Folder::write(const std::string& name, std::string_view content) const {
     std::filesystem::create_directories((path_ / name).parent_path());
-    // Some file systems wait for the disk where a file is overwritten, not where it is new.
+    // Removed first: some file systems sync to disk when a file is overwritten.
     std::filesystem::remove(path_ / name);
     std::ofstream(path_ / name, std::ios::binary)
         .write(content.data(), static_cast<std::streamsize>(content.size()));

@@ -22,18 +22,18 @@ Result<std::uint32_t> read_wrap(const Json& sampler, std::string_view key) {
         case 33648:
             return kWrapMirror;
         default:
-            return sampler.invalid(key, fmt::format("{} is no wrapping mode", *value));
+            return sampler.invalid(key, fmt::format("{} is not a wrapping mode", *value));
     }
 }
 
-// Magnification decides: pictures are supersampled, so nothing is ever minified by a filter.
+// Only magFilter is used: supersampling replaces minification filters.
 Result<std::uint32_t> read_filter(const Json& sampler) {
     HM_TRY_ASSIGN(const auto magnify, sampler.integer("magFilter"));
     if (magnify && *magnify != 9728 && *magnify != 9729)
-        return sampler.invalid("magFilter", fmt::format("{} is no filter", *magnify));
+        return sampler.invalid("magFilter", fmt::format("{} is not a filter", *magnify));
     HM_TRY_ASSIGN(const auto minify, sampler.integer("minFilter"));
     if (minify && *minify != 9728 && *minify != 9729 && (*minify < 9984 || *minify > 9987))
-        return sampler.invalid("minFilter", fmt::format("{} is no filter", *minify));
+        return sampler.invalid("minFilter", fmt::format("{} is not a filter", *minify));
     return magnify == 9728u ? kFilterNearest : kFilterLinear;
 }
 
@@ -51,9 +51,9 @@ Result<std::vector<TextureSlot>> read_samplers(const Json& root) {
     return samplers;
 }
 
-// KHR_texture_transform: uv' = T R S uv. A positive angle turns towards -v as the extension's
-// examples have it (its first one stays inside the image's lower left quadrant only so); the GLSL
-// text in the extension has the opposite sign, see KhronosGroup/glTF issue 1563.
+// KHR_texture_transform: uv' = T R S uv. A positive angle rotates towards -v, as in the extension's
+// examples (otherwise the first would leave the image's lower left quadrant); the GLSL code in the
+// extension has the opposite sign, see KhronosGroup/glTF issue 1563.
 Result<void> apply_transform(const Json& transform, TextureSlot& slot) {
     std::array<float, 2> offset{0, 0};
     std::array<float, 2> scale{1, 1};
@@ -102,9 +102,9 @@ Result<TextureSlot> read_texture_slot(const Json& info, const std::vector<Textur
     if (!texture.extension.empty())
         return fail(
             ErrorKind::unsupported, source.file, pointer,
-            fmt::format("its only image is {}'s, which is not supported", texture.extension));
+            fmt::format("its only image uses {}, which is not supported", texture.extension));
     TextureSlot slot = texture.slot;
-    if (slot.image == kUnset) source.warn(pointer, "a texture without an image is left out");
+    if (slot.image == kUnset) source.warn(pointer, "texture without an image is ignored");
 
     HM_TRY_ASSIGN(const auto own_set, info.integer("texCoord"));
     HM_TRY_ASSIGN(const auto transform, extension_of(info, "KHR_texture_transform"));

@@ -1,4 +1,4 @@
-// Textures, samplers and the references that materials hold to them.
+// Textures, samplers and the texture references of materials.
 #pragma once
 
 #include <string_view>
@@ -12,13 +12,13 @@ namespace hm::gltf {
 
 struct Texture {
     TextureSlot slot;  // image and sampler; identity transform
-    // An extension's image format, where that is the texture's only source.
+    // The image format extension, if it is the texture's only source.
     std::string_view extension;
 };
 
 Result<std::vector<Texture>> read_textures(const Json& root);
 
-// A material's "...Texture" object.
+// Reads a textureInfo object of a material.
 Result<TextureSlot> read_texture_slot(const Json& info, const std::vector<Texture>& textures,
                                       Source& source);
 

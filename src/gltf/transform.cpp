@@ -23,7 +23,7 @@ Result<void> read_vector(const Json& node, std::string_view key, Vector& out) {
 }  // namespace
 
 std::optional<glm::dmat4> affine_matrix(std::span<const double, 16> columns) {
-    // Exporters write the last row with rounding errors; more than that is a projection.
+    // Exporters write the last row with rounding errors; larger deviations are projections.
     constexpr double kTolerance = 1e-4;
     glm::dmat4 out(1);
     for (int column = 0; column < 4; ++column) {
@@ -39,7 +39,7 @@ Result<void> read_transform(const Json& json, Node& node) {
     if (json.has("matrix")) {
         if (json.has("translation") || json.has("rotation") || json.has("scale"))
             return json.invalid("matrix",
-                                "a node has a matrix or translation, rotation and scale, "
+                                "a node has either a matrix or translation, rotation and scale, "
                                 "not both");
         HM_TRY_ASSIGN(node.local, read_matrix(json));
         return {};
@@ -49,7 +49,7 @@ Result<void> read_transform(const Json& json, Node& node) {
     HM_TRY(read_vector(json, "scale", rest.scale));
     HM_TRY(read_vector(json, "rotation", rest.rotation));
     if (rest.rotation == glm::dvec4(0))
-        return json.invalid("rotation", "a zero quaternion is no rotation");
+        return json.invalid("rotation", "must not be a zero quaternion");
     node.local = to_matrix(rest);
     return {};
 }

@@ -1,4 +1,4 @@
-// A node's own transform, in double precision.
+// A node's local transform, in double precision.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace hm::gltf {
 
-// Sets `local` from `matrix`, or `rest` and `local` from translation, rotation and scale; the
-// identity where the node has neither.
+// Sets `local` from `matrix`, or `rest` and `local` from translation, rotation and scale. The
+// default is the identity.
 Result<void> read_transform(const Json& json, Node& node);
 
-// Sixteen numbers, column by column. Nothing unless the last row is 0 0 0 1, to rounding.
+// From 16 numbers in column-major order. nullopt unless the last row is 0 0 0 1 up to rounding.
 std::optional<glm::dmat4> affine_matrix(std::span<const double, 16> columns);
 
 }  // namespace hm::gltf

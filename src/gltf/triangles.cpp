@@ -14,7 +14,7 @@ std::vector<uvec3> make_triangles(Topology topology, Indices indices) {
     for (std::size_t i = 0; i + 2 < each.size(); ++i) {
         if (topology == Topology::fan)
             out.emplace_back(each[i + 1], each[i + 2], each[0]);
-        else  // every second triangle of a strip is turned around
+        else  // every second triangle of a strip is reversed
             out.emplace_back(each[i], each[i + 1 + i % 2], each[i + 2 - i % 2]);
     }
     return out;

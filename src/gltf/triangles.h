@@ -1,4 +1,4 @@
-// From a primitive's topology and indices to a triangle list.
+// Converts a primitive's topology and indices to a triangle list.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace hm::gltf {
 // The values are glTF's primitive modes.
 enum class Topology : std::uint32_t { triangles = 4, strip = 5, fan = 6 };
 
-// Vertices in drawing order, packed as the triangles that most of them are to be: the last three
-// may be more than there are.
+// Vertex indices, stored as triangles so that triangle lists need no copy. The last triangle may be
+// incomplete.
 struct Indices {
     std::vector<uvec3> packed;
     std::size_t count = 0;
@@ -22,13 +22,13 @@ struct Indices {
     std::span<std::uint32_t> each() { return {packed.empty() ? nullptr : &packed[0].x, count}; }
 };
 
-// Every triangle has the winding that glTF 2.0, 3.7.2.1 gives it. Indices that complete no triangle
-// are left out.
+// Triangles have the winding of glTF 2.0, 3.7.2.1. Indices that do not complete a triangle are
+// dropped.
 std::vector<uvec3> make_triangles(Topology topology, Indices indices);
 
-// Drops vertices that no triangle uses where there must be such: primitives of one mesh often share
-// a vertex buffer, and each would keep all of it. Returns the former indices of the vertices that
-// are left, or nothing where all are.
+// Drops unused vertices if there are more vertices than the triangles can use: primitives of one
+// mesh often share a vertex buffer, and each would keep all of it. Returns the former indices of
+// the remaining vertices, or an empty list if all are kept.
 std::vector<std::uint32_t> drop_unused_vertices(Primitive& primitive);
 
 }  // namespace hm::gltf

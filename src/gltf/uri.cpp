@@ -48,7 +48,7 @@ tl::unexpected<std::string> refuse(const char* message) {
 }
 
 UriResult<ByteArray> decode_base64(std::string_view text) {
-    if (text.size() % 4 != 0) return refuse("its base64 length is not a multiple of 4");
+    if (text.size() % 4 != 0) return refuse("base64 length is not a multiple of 4");
     std::size_t padding = 0;
     while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=')
         ++padding;
@@ -58,13 +58,13 @@ UriResult<ByteArray> decode_base64(std::string_view text) {
     const std::size_t digits = text.size() - padding;
     for (std::size_t i = 0; i < digits; ++i) {
         const int value = base64_value(text[i]);
-        if (value < 0) return refuse("it has a character that is not base64");
+        if (value < 0) return refuse("invalid base64 character");
         group = (group << 6 | std::uint32_t(value)) & 0xffffffu;
         // Each digit after the first of four completes a byte.
         if (i % 4 != 0) bytes.push_back(std::byte(group >> (6 - i % 4 * 2)));
     }
     const std::uint32_t unused = padding == 2 ? 0xfu : padding == 1 ? 0x3u : 0u;
-    if ((group & unused) != 0) return refuse("its base64 has bits set past its end");
+    if ((group & unused) != 0) return refuse("base64 has nonzero padding bits");
     return bytes;
 }
 
@@ -125,23 +125,23 @@ UriResult<std::filesystem::path> decode_path(std::string_view uri, bool allow_ex
     if (is_file && allow_external) {
         uri.remove_prefix(kFile.size());
         if (uri.starts_with("//")) uri.remove_prefix(2);
-        if (!uri.starts_with('/')) return refuse("a file URI of another machine is not read");
+        if (!uri.starts_with('/')) return refuse("file URIs of other machines are not supported");
     } else if (has_scheme(uri)) {
-        return refuse("only relative paths and data URIs are read, no other scheme");
+        return refuse("only relative paths and data URIs are supported");
     }
     auto decoded = decode_percent(uri);
     if (!decoded) return tl::unexpected(std::move(decoded.error()));
-    if (decoded->find('\0') != std::string::npos) return refuse("the path holds a zero byte");
+    if (decoded->find('\0') != std::string::npos) return refuse("the path contains a zero byte");
     std::filesystem::path path(*decoded);
     if (allow_external) return path;
-    // On some machines a backslash separates folders; a file that works here works there.
-    if (decoded->find('\\') != std::string::npos) return refuse("paths with \"\\\" are refused");
+    // Backslash is a path separator on Windows; files must behave the same everywhere.
+    if (decoded->find('\\') != std::string::npos) return refuse("paths with \"\\\" are rejected");
     if (path.has_root_path())
-        return refuse("absolute paths are refused (allow-external permits them)");
+        return refuse("absolute paths are rejected (allow-external permits them)");
     for (const auto& part : path)
         if (part == "..")
             return refuse(
-                "paths with \"..\" are refused: they leave the file's folder (allow-external "
+                "paths with \"..\" are rejected: they leave the file's folder (allow-external "
                 "permits them)");
     return path;
 }
@@ -158,7 +158,7 @@ UriResult<void> check_inside(const std::filesystem::path& path,
     if (error) return tl::unexpected(error.message());
     const auto [left, unused] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());
     if (left != root.end())
-        return refuse("a symbolic link leads out of the file's folder (allow-external permits it)");
+        return refuse("a symbolic link leaves the file's folder (allow-external permits it)");
     return {};
 }
 

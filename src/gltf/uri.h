@@ -1,4 +1,4 @@
-// Where a glTF file's buffers and images come from: data URIs (RFC 2397) and relative paths.
+// URIs of buffers and images: data URIs (RFC 2397) and relative paths.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,24 @@
 
 namespace hm::gltf {
 
-// Errors are the message alone; callers know the file and the pointer.
+// Errors are messages only; callers add the file and the JSON pointer.
 template <class T>
 using UriResult = tl::expected<T, std::string>;
 
 bool is_data_uri(std::string_view uri);
 
-// The bytes of a base64 data URI. Strict: no white space, padding as RFC 4648 has it.
+// The bytes of a data URI, base64 or percent-encoded. Strict base64: no white space, padding as in
+// RFC 4648.
 UriResult<ByteArray> decode_data_uri(std::string_view uri);
 
-// The media type of a data URI, as written; empty where there is none.
+// The media type of a data URI, as written; empty if absent.
 std::string_view media_type(std::string_view data_uri);
 
-// A percent-decoded path. Schemes of the network are always refused; what could lead out of the
-// glTF file's folder ("..", absolute paths, "file:", backslashes) unless `allow_external`.
+// A percent-decoded path. Network schemes are always rejected; anything that could leave the glTF
+// file's folder ("..", absolute paths, "file:", backslashes) is rejected unless `allow_external`.
 UriResult<std::filesystem::path> decode_path(std::string_view uri, bool allow_external = false);
 
-// Fails where symbolic links lead `path` out of `folder`.
+// Fails if symbolic links make `path` leave `folder`.
 UriResult<void> check_inside(const std::filesystem::path& path,
                              const std::filesystem::path& folder);
 

@@ -116,7 +116,7 @@ TEST(Uri, SymbolicLinksThatLeadOut) {
     EXPECT_EQ(load(secret.string(), true), std::nullopt);
 }
 
-// A file opened by its bare name has an empty folder.
+// A file opened by file name alone has an empty folder.
 TEST(Uri, MissingFileOfTheWorkingFolder) {
     Diagnostics diagnostics;
     const std::string text =

@@ -53,7 +53,7 @@ Result<std::optional<std::size_t>> read_material_index(const Json& primitive, co
                       mapping.indices("variants", source.variant_count, "variants"));
         for (const std::size_t variant : variants) {
             if (!mapped.insert(variant).second)
-                return mapping.invalid("variants", fmt::format("variant {} again", variant));
+                return mapping.invalid("variants", fmt::format("variant {} is repeated", variant));
             if (variant == source.variant) material = other;
         }
     }

@@ -1,4 +1,4 @@
-// KHR_materials_variants: other materials for the same primitives, chosen by name.
+// KHR_materials_variants: alternative materials of primitives, chosen by name.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace hm::gltf {
 
-// Fills source.variant_count and, from the options, source.variant. A name that the file does not
-// have is ErrorKind::invalid_argument.
+// Sets source.variant_count and, from the options, source.variant. An unknown name is
+// ErrorKind::invalid_argument.
 Result<void> choose_variant(const Json& root, Source& source);
 
-// A primitive's material, of the chosen variant where that has one for it.
+// A primitive's material; the chosen variant's, if it maps this primitive.
 Result<std::optional<std::size_t>> read_material_index(const Json& primitive, const Source& source,
                                                        std::size_t material_count);
 

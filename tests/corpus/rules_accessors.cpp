@@ -35,17 +35,17 @@ void add_bounds(std::vector<Case>& cases) {
                   {set("/accessors/6/byteOffset", "4")}, ignored(kUnread));
     accessor.rule("normalized-float", "normalized: not with componentType 5126",
                   {set("/accessors/1/normalized", "true")},
-                  warned("/accessors/1/normalized", "only 8 and 16-bit", kRepaired));
+                  warned("/accessors/1/normalized", "only 8-bit and 16-bit", kRepaired));
 }
 
 void add_extrema(std::vector<Case>& cases) {
     Object accessor(cases, "accessor", "3.6.2.5", "/accessors/0");
-    const Expected wrong = warned("/accessors/0", "min and max are not those of its elements",
+    const Expected wrong = warned("/accessors/0", "min and max do not match the elements",
                                   "the elements themselves are read");
     for (const char* key : {"min", "max"}) {
         accessor.numbers(key, {"0", "0", "0"});
         accessor.empty(key).expect(refused(accessor.pointer(key), "expected 3 numbers, found 0"));
-        accessor.required(key).expect(warned("/accessors/0", "lacks the min and max", kRepaired));
+        accessor.required(key).expect(warned("/accessors/0", "min and max are missing", kRepaired));
         accessor.value(key, "wrong", "[0.5,0.5,0.5]", "is that of the data", "").expect(wrong);
     }
 }
@@ -53,11 +53,11 @@ void add_extrema(std::vector<Case>& cases) {
 void add_values(std::vector<Case>& cases) {
     Object accessor(cases, "values", "3.6.2.4", "/accessors/0");
     accessor.rule("nan", "floats: not NaN", {put(4, floats({kNan}))},
-                  refused("/accessors/0", "element 0 is not a number"));
+                  refused("/accessors/0", "element 0 is NaN"));
     accessor.rule("infinity", "floats: not infinite", {put(12, floats({kInfinity}))},
                   refused("/accessors/0", "element 1 is infinite"));
     accessor.rule("uv-nan", "floats: not NaN", {put(72, floats({kNan}))},
-                  warned("/accessors/2", "texture coordinates that are NaN", kRepaired));
+                  warned("/accessors/2", "NaN or infinite texture coordinates", kRepaired));
     accessor.rule("normal-nan", "floats: not NaN", {put(36, floats({kNan}))},
                   warned("/accessors/1", "some normals are zero or not finite", kRepaired));
     accessor.rule("normal-length", "NORMAL: unit length", {put(36, floats({0, 0, 2}))},
@@ -67,7 +67,7 @@ void add_values(std::vector<Case>& cases) {
     accessor.rule("tangent-length", "TANGENT: xyz has unit length", {put(116, floats({2, 0, 0}))},
                   ignored("vectors are scaled to unit length"));
     accessor.rule("tangent-sign", "TANGENT: w is 1 or -1", {put(128, floats({0.5f}))},
-                  warned("/accessors/5", "a w other than 1 and -1", kRepaired));
+                  warned("/accessors/5", "a w other than 1 or -1", kRepaired));
     const Edits float_colors{
         set("/accessors/4/bufferView", "5"), set("/accessors/4/componentType", "5126"),
         drop("/accessors/4/normalized"), drop("/meshes/0/primitives/0/attributes/TANGENT")};
@@ -89,8 +89,9 @@ void add_sparse(std::vector<Case>& cases) {
     Object sparse(cases, "sparse", "5.2", "/accessors/6/sparse");
     sparse.required("count");
     sparse.integer("count");
-    sparse.value("count", "zero", "0", "is at least 1", "0 of 3 elements");
-    sparse.value("count", "above", "4", "is not more than the accessor's", "4 of 3 elements");
+    sparse.value("count", "zero", "0", "is at least 1", "0 is not between 1 and");
+    sparse.value("count", "above", "4", "is not more than the accessor's",
+                 "4 is not between 1 and");
     sparse.required("indices");
     sparse.object("indices");
     sparse.required("values");
@@ -102,25 +103,25 @@ void add_sparse(std::vector<Case>& cases) {
     indices.index("bufferView");
     indices.integer("byteOffset");
     indices.value("byteOffset", "past-end", "4", "within the buffer view", "")
-        .expect(refused(indices.pointer(""), "1 elements pass the end of buffer view 6"));
+        .expect(refused(indices.pointer(""), "1 elements extend past the end of buffer view 6"));
     indices.required("componentType");
     indices.choice("componentType").expect(refused(indices.pointer("componentType"), ""));
     indices.unlisted("componentType", "signed", "5120", "is 5121, 5123 or 5125",
-                     "sparse indices are unsigned integers");
+                     "sparse indices must be unsigned integers");
     indices.unlisted("componentType", "float", "5126", "is 5121, 5123 or 5125",
-                     "sparse indices are unsigned integers");
+                     "sparse indices must be unsigned integers");
     indices.unlisted("componentType", "unknown", "0", "is 5121, 5123 or 5125",
-                     "is no component type");
+                     "is not a component type");
     indices.rule("unaligned", "byteOffset: a multiple of the component's size",
                  {set("/accessors/6/sparse/indices/componentType", "5123"),
                   set("/accessors/6/sparse/indices/byteOffset", "1")},
                  refused(indices.pointer("byteOffset"), "not aligned to 2 bytes"));
     indices.rule("value-past-end", "indices: below the accessor's count", {put(164, words({3}))},
-                 refused(indices.pointer(""), "past the accessor's end"));
+                 refused(indices.pointer(""), "past the end of the accessor"));
     indices.rule("not-increasing", "indices: strictly increasing",
                  {set("/accessors/6/sparse/count", "2"), set("/bufferViews/7/byteLength", "24"),
                   put(164, words({0x0001}))},
-                 refused(indices.pointer(""), "does not increase"));
+                 refused(indices.pointer(""), "is not greater than the one before"));
     indices.common(false);
 
     Object values(cases, "sparse-values", "5.4", "/accessors/6/sparse/values");
@@ -128,12 +129,12 @@ void add_sparse(std::vector<Case>& cases) {
     values.index("bufferView");
     values.integer("byteOffset");
     values.value("byteOffset", "past-end", "4", "within the buffer view", "")
-        .expect(refused(values.pointer(""), "1 elements pass the end of buffer view 7"));
+        .expect(refused(values.pointer(""), "1 elements extend past the end of buffer view 7"));
     values.rule("unaligned", "byteOffset: a multiple of the component's size",
                 {set("/bufferViews/7/byteOffset", "169")},
                 refused(values.pointer("byteOffset"), "not aligned to 4 bytes"));
     values.rule("nan", "values: not NaN", {put(168, floats({kNan}))},
-                refused("/accessors/6", "is not a number"));
+                refused("/accessors/6", "is NaN"));
     values.common(false);
 }
 
@@ -146,18 +147,19 @@ void add_accessor_rules(std::vector<Case>& cases) {
     accessor.required("componentType");
     accessor.integer("componentType");
     accessor.value("componentType", "unknown", "5124", "is one of the known types",
-                   "is no component type");
+                   "is not a component type");
     accessor.value("componentType", "double", "5130", "is one of the known types",
-                   "is no component type");
+                   "is not a component type");
     accessor.flag("normalized");
     accessor.required("count");
     accessor.integer("count");
-    accessor.value("count", "zero", "0", "is at least 1", "is not from 1 to");
+    accessor.value("count", "zero", "0", "is at least 1", "is not in the range 1 to");
     accessor.required("type");
     accessor.text("type");
     accessor.value("type", "unknown", R"("VEC5")", "is one of the known types",
-                   "is no element type");
-    accessor.value("type", "case", R"("vec3")", "is one of the known types", "is no element type");
+                   "is not an element type");
+    accessor.value("type", "case", R"("vec3")", "is one of the known types",
+                   "is not an element type");
     accessor.value("sparse", "type", "[]", "is an object", "expected an object, found an array");
     accessor.common();
     add_bounds(cases);

@@ -12,7 +12,7 @@ void add_buffer_rules(std::vector<Case>& cases) {
     buffer.value("byteLength", "zero", "0", "is at least 1", "must not be 0");
     buffer.value("byteLength", "huge", "1e300", "is an integer", "expected an integer from 0");
     buffer.value("byteLength", "too-long", "253", "is not more than the source has",
-                 "253 bytes, but there are only 252");
+                 "253 bytes, but only 252 are available");
     buffer.text("uri");
     buffer
         .rule("uri-missing", "uri: only the first buffer of a GLB may lack it while used",
@@ -40,9 +40,9 @@ void add_buffer_rules(std::vector<Case>& cases) {
     view.value("byteStride", "odd", "13", "is a multiple of 4",
                "is not a multiple of 4 from 4 to 252");
     view.value("byteStride", "element", "8", "is not less than an element", "")
-        .expect(refused("/accessors/0/bufferView", "its stride, 8, is less than"));
+        .expect(refused("/accessors/0/bufferView", "its byteStride, 8, is less than"));
     view.choice("target");
-    view.unlisted("target", "unknown", "34964", "is 34962 or 34963", "34964 is no target");
+    view.unlisted("target", "unknown", "34964", "is 34962 or 34963", "34964 is not a target");
     view.value("target", "differs", "34963", "is 34962 where vertices are stored", "")
         .expect(ignored(kUnread));
     view.rule("target-indices", "target: is 34963 where indices are stored",

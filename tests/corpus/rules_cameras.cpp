@@ -68,7 +68,7 @@ void add_camera_rules(std::vector<Case>& cases) {
     camera.required("type");
     camera.text("type");
     camera.unlisted("type", "unknown", R"("fisheye")", "is perspective or orthographic",
-                    "is no camera");
+                    "is not a camera type");
     camera.required("perspective");
     camera.object("perspective");
     camera.rule("other-kind", "perspective and orthographic: not both",
@@ -96,7 +96,8 @@ void add_light_rules(std::vector<Case>& cases) {
     Object light(cases, "light", "KHR_lights_punctual", lights + "/lights/0");
     light.required("type");
     light.text("type");
-    light.unlisted("type", "unknown", R"("area")", "is directional, point or spot", "is no light");
+    light.unlisted("type", "unknown", R"("area")", "is directional, point or spot",
+                   "is not a light type");
     light.numbers("color", {"1", "1", "1"});
     light.value("color", "below", "[-1,1,1]", "elements are at least 0", "must not be negative");
     light.value("color", "above", "[1,2,1]", "elements are at most 1", "")

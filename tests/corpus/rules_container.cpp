@@ -116,23 +116,23 @@ void add_glb_rules(std::vector<Case>& cases) {
         refused("byte 4", "GLB version 1", ErrorKind::unsupported));
     add("version-3", "version: 2", patched(4, word(3)),
         refused("byte 4", "GLB version 3", ErrorKind::unsupported));
-    add("header-cut", "header: 12 bytes", instead("glTF\2"), refused("byte 5", "cut short"));
+    add("header-cut", "header: 12 bytes", instead("glTF\2"), refused("byte 5", "truncated"));
     add("length-long", "length: that of the file", patched(8, word(1u << 30)),
-        refused("byte 8", "the GLB header says"));
+        refused("byte 8", "the GLB header gives"));
     add("length-short", "length: that of the file", patched(8, word(8)),
-        refused("byte 8", "the GLB header says 8 bytes"));
+        refused("byte 8", "a length of 8 bytes"));
     add(
         "trailing", "length: that of the file",
         [](std::string text, std::string buffer) { return make_glb(text, buffer) + "more"; },
-        warned("", "bytes after the GLB's end", kRepaired), kOnlyWarns);
+        warned("", "bytes after the end of the GLB", kRepaired), kOnlyWarns);
     add("no-chunk", "the first chunk is JSON", instead(glb_header(2, 12)),
-        refused("byte 12", "the GLB has no JSON"));
+        refused("byte 12", "the GLB has no JSON chunk"));
     add(
         "chunk-header-cut", "chunks: a header of 8 bytes",
         [=](std::string, std::string) { return chunks(word(0)); },
-        refused("byte 12", "a GLB chunk's header is cut short"));
+        refused("byte 12", "a GLB chunk header is truncated"));
     add("chunk-long", "chunkLength: within the file", patched(12, word(0xfffffffc)),
-        refused("byte 12", "passes the end"));
+        refused("byte 12", "extends past the end"));
     add(
         "chunk-unaligned", "chunkLength: a multiple of 4",
         [=](std::string text, std::string) {
@@ -145,11 +145,11 @@ void add_glb_rules(std::vector<Case>& cases) {
         [=](std::string text, std::string buffer) {
             return chunks(chunk(kBinaryChunk, buffer, '\0') + chunk(kJsonChunk, text, ' '));
         },
-        refused("byte 12", "the GLB's first chunk is not JSON"));
+        refused("byte 12", "the first GLB chunk is not JSON"));
     add(
         "json-empty", "the JSON chunk: a document",
         [=](std::string, std::string) { return chunks(chunk(kJsonChunk, "", ' ')); },
-        refused("byte 20", "the GLB has no JSON"));
+        refused("byte 20", "the GLB has no JSON chunk"));
     add(
         "json-zeros", "the JSON chunk: padded by spaces",
         [=](std::string text, std::string buffer) {
@@ -167,7 +167,7 @@ void add_glb_rules(std::vector<Case>& cases) {
     add(
         "binary-short", "the BIN chunk: as long as the buffer",
         [=](std::string text, std::string buffer) { return make_glb(text, buffer.substr(0, 100)); },
-        refused("/buffers/0/byteLength", "252 bytes, but there are only 100"));
+        refused("/buffers/0/byteLength", "252 bytes, but only 100 are available"));
     add(
         "binary-long", "the BIN chunk: at most 3 bytes longer than the buffer",
         [=](std::string text, std::string buffer) { return make_glb(text, buffer + "padded"); },
@@ -182,7 +182,7 @@ void add_glb_rules(std::vector<Case>& cases) {
             return chunks(chunk(kJsonChunk, text, ' ') + chunk(kBinaryChunk, buffer, '\0') +
                           chunk(kJsonChunk, text, ' '));
         },
-        warned("", "GLB chunk of unknown use", kSkipped));
+        warned("", "GLB chunk of unknown type", kSkipped));
 }
 
 void add_uri_rules(std::vector<Case>& cases) {
@@ -194,24 +194,25 @@ void add_uri_rules(std::vector<Case>& cases) {
     refuse("no-comma", "data:application/octet-stream;base64", "RFC 2397", "without a comma");
     refuse("bad-percent", "data:application/octet-stream,%0", "RFC 2397",
            "not followed by two hexadecimal digits");
-    refuse("bad-digit", "data:application/octet-stream;base64,AA!A", "RFC 4648", "is not base64");
+    refuse("bad-digit", "data:application/octet-stream;base64,AA!A", "RFC 4648",
+           "invalid base64 character");
     refuse("bad-length", "data:application/octet-stream;base64,AAAAA", "RFC 4648",
            "not a multiple of 4");
     refuse("bits-past-end", "data:application/octet-stream;base64,AAB=", "RFC 4648",
-           "bits set past its end");
+           "nonzero padding bits");
     refuse("media-type", data_uri(document(Base::still).buffer, "text/plain"),
            "media type application/octet-stream or application/gltf-buffer", "")
         .expect(ignored(kDecodable));
     refuse("short", "data:application/octet-stream;base64,AAAA", "as long as byteLength", "")
-        .expect(refused("/buffers/0/byteLength", "252 bytes, but there are only 3"));
+        .expect(refused("/buffers/0/byteLength", "252 bytes, but only 3 are available"));
     refuse("empty", "", "is not empty", "empty URI");
     refuse("http", "http://localhost/a.bin", "is read from beside the file",
-           "only relative paths and data URIs are read");
+           "only relative paths and data URIs are supported");
     refuse("absolute", "/etc/hostname", "is read from beside the file",
-           "absolute paths are refused");
-    refuse("parent", "../a.bin", "is read from beside the file", "are refused");
+           "absolute paths are rejected");
+    refuse("parent", "../a.bin", "is read from beside the file", "are rejected");
     refuse("percent", "a%zz.bin", "RFC 3986", "is not followed by two hexadecimal digits");
-    refuse("zero-byte", "a%00.bin", "is a path", "the path holds a zero byte");
+    refuse("zero-byte", "a%00.bin", "is a path", "the path contains a zero byte");
     refuse("missing-file", "absent.bin", "is read from beside the file", "")
         .expect(refused("/buffers/0/uri", "absent.bin", ErrorKind::unreadable));
 }

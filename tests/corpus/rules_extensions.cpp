@@ -8,7 +8,7 @@
 namespace hm::corpus {
 namespace {
 
-constexpr char kMistyped[] = "a type that this attribute can't have";
+constexpr char kMistyped[] = "a type that is invalid for this attribute";
 
 void add_material_extensions(std::vector<Case>& cases) {
     Object material(cases, "material", "KHR_materials_emissive_strength",
@@ -61,9 +61,9 @@ void add_variants(std::vector<Case>& cases) {
     mapping.required("variants");
     mapping.indices("variants");
     mapping.empty("variants").expect(ignored(kEmptyIsNone));
-    mapping.value("variants", "repeated", "[0,0]", "has no element twice", "variant 0 again");
+    mapping.value("variants", "repeated", "[0,0]", "has no element twice", "variant 0 is repeated");
     mapping.value("variants", "claimed", "[0,1]", "each variant in one mapping only", "")
-        .expect(refused(pointer + "/" + name + "/mappings/1/variants", "variant 1 again"));
+        .expect(refused(pointer + "/" + name + "/mappings/1/variants", "variant 1 is repeated"));
 }
 
 void add_instancing(std::vector<Case>& cases) {
@@ -84,12 +84,12 @@ void add_instancing(std::vector<Case>& cases) {
                     {set("/accessors/4/count", "1")},
                     refused(attributes.pointer("SCALE"), "has 1 elements, another has 2"));
     attributes.rule("no-mesh", "the node has a mesh", {drop("/nodes/0/mesh")},
-                    warned("/nodes/0", "instances of no mesh", kSkipped));
+                    warned("/nodes/0", "instances of a skinned mesh or of no mesh", kSkipped));
     attributes.rule("rotation-zero", "ROTATION: unit length", {put(60, floats({0, 0, 0, 0}))},
-                    refused(attributes.pointer("ROTATION"), "element 0: a zero quaternion"));
+                    refused(attributes.pointer("ROTATION"), "element 0 is a zero quaternion"));
     Added(cases, first).silent(kUnknown);
     attributes.rule("translation-nan", "floats: not NaN", {put(36, words({0x7fc00000}))},
-                    refused("/accessors/2", "element 0 is not a number"));
+                    refused("/accessors/2", "element 0 is NaN"));
 }
 
 void add_quantization(std::vector<Case>& cases) {
@@ -141,20 +141,20 @@ void add_pointers(std::vector<Case>& cases) {
     const std::size_t first = cases.size();
     target.rule("past-end", "pointer: leads to something that exists",
                 aim(R"({"pointer":"/nodes/99/translation"})"),
-                warned(target.pointer(""), "whose target is missing", kSkipped));
+                warned(target.pointer(""), "its target is missing", kSkipped));
     target.rule("undefined", "pointer: the property's object is there",
                 aim(R"({"pointer":"/cameras/0/perspective/yfov"})"),
-                warned(target.pointer(""), "whose target is missing", kSkipped));
+                warned(target.pointer(""), "its target is missing", kSkipped));
     target.rule("immutable", "pointer: leads to a property that may change",
                 aim(R"({"pointer":"/nodes/1/mesh"})"),
-                warned(target.pointer(""), "or can't be animated", kSkipped));
+                warned(target.pointer(""), "or cannot be animated", kSkipped));
     const auto rotate = [&](const char* property) {
         Edits edits = aim(fmt::format(R"({{"pointer":"/nodes/1/{}"}})", property));
         edits.push_back(set("/animations/0/samplers/0/output", "7"));
         return edits;
     };
     target.rule("output", "output: of the property's type", rotate("scale"),
-                refused("/animations/0/channels/0/sampler", "a type that scale can't have"));
+                refused("/animations/0/channels/0/sampler", "a type that is invalid for scale"));
     target.rule("twice", "pointer: no property twice in an animation", rotate("rotation"),
                 refused("/animations/0/channels/1/target", "has the same target"));
     Added(cases, first).silent(kInPart);

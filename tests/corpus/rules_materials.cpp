@@ -56,9 +56,9 @@ void add_material_rules(std::vector<Case>& cases) {
         .expect(warned("/materials/0/emissiveFactor", "outside 0 to 1", kClamped));
     material.text("alphaMode");
     material.unlisted("alphaMode", "unknown", R"("CLIP")", "is OPAQUE, MASK or BLEND",
-                      "is no alpha mode");
+                      "is not an alpha mode");
     material.unlisted("alphaMode", "case", R"("mask")", "is OPAQUE, MASK or BLEND",
-                      "is no alpha mode");
+                      "is not an alpha mode");
     add_limits(material, "alphaCutoff", "-1", nullptr);
     material
         .rule("alphaCutoff-mode", "alphaCutoff: only with alphaMode",

@@ -15,7 +15,7 @@ void add_attribute_types(std::vector<Case>& cases) {
         attributes.rule(
             fmt::format("{}-{}", name, slug), fmt::format("{}: has one of its allowed types", name),
             {set(kPlace + std::string(name), std::to_string(accessor))},
-            refused(kPlace + std::string(name), "a type that this attribute can't have"));
+            refused(kPlace + std::string(name), "a type that is invalid for this attribute"));
     };
     mistyped("POSITION", "vec2", 2);
     mistyped("POSITION", "vec4", 5);
@@ -28,13 +28,15 @@ void add_attribute_types(std::vector<Case>& cases) {
     mistyped("TEXCOORD_0", "scalar", 3);
     mistyped("COLOR_0", "vec2", 2);
     mistyped("COLOR_0", "scalar", 3);
-    attributes.rule("COLOR_0-not-normalized", "COLOR_0: integers are normalized",
-                    {drop("/accessors/4/normalized")},
-                    refused(kPlace + std::string("COLOR_0"), "a type that this attribute"));
-    attributes.rule("TEXCOORD_0-signed", "TEXCOORD_0: not signed integers",
-                    {set("/accessors/2/componentType", "5122"),
-                     set("/accessors/2/normalized", "true"), set("/bufferViews/2/byteStride", "8")},
-                    refused(kPlace + std::string("TEXCOORD_0"), "a type that this attribute"));
+    attributes.rule(
+        "COLOR_0-not-normalized", "COLOR_0: integers are normalized",
+        {drop("/accessors/4/normalized")},
+        refused(kPlace + std::string("COLOR_0"), "a type that is invalid for this attribute"));
+    attributes.rule(
+        "TEXCOORD_0-signed", "TEXCOORD_0: not signed integers",
+        {set("/accessors/2/componentType", "5122"), set("/accessors/2/normalized", "true"),
+         set("/bufferViews/2/byteStride", "8")},
+        refused(kPlace + std::string("TEXCOORD_0"), "a type that is invalid for this attribute"));
     for (const char* name : {"NORMAL", "TEXCOORD_0", "COLOR_0", "TANGENT"})
         attributes.rule(fmt::format("{}-count", name),
                         fmt::format("{}: as many elements as POSITION", name),
@@ -51,7 +53,7 @@ void add_indices(std::vector<Case>& cases) {
     const auto refuse = [&](const char* slug, const char* rule, Edits edits) {
         primitive.rule(
             slug, rule, std::move(edits),
-            refused("/meshes/0/primitives/0/indices", "indices are scalars of unsigned integers"));
+            refused("/meshes/0/primitives/0/indices", "indices must be unsigned integer scalars"));
     };
     refuse("float", "indices: unsigned integers",
            {set("/accessors/3/componentType", "5126"), set("/accessors/3/count", "1")});
@@ -61,12 +63,12 @@ void add_indices(std::vector<Case>& cases) {
     refuse("normalized", "indices: not normalized", {set("/accessors/3/normalized", "true")});
     primitive
         .rule("count-2", "indices: as many as the mode needs", {set("/accessors/3/count", "2")},
-              warned("/meshes/0/primitives/0", "vertices left over", kSkipped))
+              warned("/meshes/0/primitives/0", "do not complete a triangle", kSkipped))
         .silent(kOnlyWarns);
     primitive
         .rule("count-strip", "indices: as many as the mode needs",
               {set("/accessors/3/count", "2"), set("/meshes/0/primitives/0/mode", "5")},
-              warned("/meshes/0/primitives/0", "vertices left over", kSkipped))
+              warned("/meshes/0/primitives/0", "do not complete a triangle", kSkipped))
         .silent(kOnlyWarns);
 }
 
@@ -74,29 +76,30 @@ void add_indices(std::vector<Case>& cases) {
 
 void add_mesh_rules(std::vector<Case>& cases) {
     Object mesh(cases, "mesh", "5.23", "/meshes/0");
-    mesh.required("primitives").expect(warned("/meshes/0", "a mesh without primitives", kSkipped));
+    mesh.required("primitives").expect(warned("/meshes/0", "the mesh has no primitives", kSkipped));
     mesh.objects("primitives");
-    mesh.empty("primitives").expect(warned("/meshes/0", "a mesh without primitives", kSkipped));
+    mesh.empty("primitives").expect(warned("/meshes/0", "the mesh has no primitives", kSkipped));
     mesh.common();
 
     Object primitive(cases, "primitive", "5.24", "/meshes/0/primitives/0");
     primitive.required("attributes");
     primitive.object("attributes");
     primitive.value("attributes", "empty", "{}", "has at least one property", "")
-        .expect(warned("/meshes/0/primitives/0", "without positions is left out", kSkipped));
+        .expect(warned("/meshes/0/primitives/0", "without POSITION is ignored", kSkipped));
     primitive
         .rule("positions-missing", "attributes: POSITION should be there",
               {drop(kPlace + std::string("POSITION"))},
-              warned("/meshes/0/primitives/0", "without positions is left out", kSkipped))
+              warned("/meshes/0/primitives/0", "without POSITION is ignored", kSkipped))
         .silent(kOnlyWarns);
     primitive.index("indices");
     primitive.index("material");
     primitive.integer("mode");
-    primitive.value("mode", "unknown", "7", "is at most 6", "7 is no mode");
+    primitive.value("mode", "unknown", "7", "is at most 6", "7 is not a mode");
     primitive.extensions();
     primitive.rule("texcoord-missing", "material: its textures find their coordinates",
                    {drop(kPlace + std::string("TEXCOORD_0"))},
-                   warned("/meshes/0/primitives/0", "coordinates that are missing", kRepaired));
+                   warned("/meshes/0/primitives/0",
+                          "texture coordinates that the material uses are missing", kRepaired));
 
     Object attributes(cases, "attributes", "3.7.2.1", "/meshes/0/primitives/0/attributes");
     for (const char* name : {"POSITION", "NORMAL", "TANGENT", "TEXCOORD_0", "COLOR_0"})

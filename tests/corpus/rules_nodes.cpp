@@ -58,7 +58,7 @@ void add_hierarchy_rules(std::vector<Case>& cases) {
     node.rule("scene-child", "scenes' nodes: are roots", {set("/scenes/0/nodes", "[0,1]")},
               refused("/scenes/0/nodes/1", "node 1 is a child of node 0"));
     node.rule("scene-twice", "scenes' nodes: no element twice", {set("/scenes/0/nodes", "[0,0]")},
-              refused("/scenes/0/nodes/1", "node 0 again"));
+              refused("/scenes/0/nodes/1", "node 0 is repeated"));
 }
 
 }  // namespace

@@ -15,18 +15,20 @@ void add_asset_rules(std::vector<Case>& cases) {
     asset.required("version");
     asset.text("version");
     for (const char* version : {"", "2", "2.", ".0", "two", "2.0.1", " 2.0", "2.0 ", "-2.0"})
-        asset.value(
-            "version", fmt::format("pattern-{}", cases.size()), fmt::format("\"{}\"", version),
-            fmt::format("matches ^[0-9]+\\.[0-9]+$ (\"{}\" does not)", version), "is no version");
+        asset.value("version", fmt::format("pattern-{}", cases.size()),
+                    fmt::format("\"{}\"", version),
+                    fmt::format("matches ^[0-9]+\\.[0-9]+$ (\"{}\" does not)", version),
+                    "is not a version");
     asset.text("minVersion");
-    asset.value("minVersion", "pattern", R"("2.x")", "matches ^[0-9]+\\.[0-9]+$", "is no version");
+    asset.value("minVersion", "pattern", R"("2.x")", "matches ^[0-9]+\\.[0-9]+$",
+                "is not a version");
     asset.rule("minVersion-above", "minVersion: is not greater than version",
                {set("/asset/minVersion", R"("2.1")")},
-               refused("/asset/minVersion", "needs glTF 2.1", ErrorKind::unsupported));
+               refused("/asset/minVersion", "requires glTF 2.1", ErrorKind::unsupported));
     asset.rule("version-1", "version: the file is glTF 2", {set("/asset/version", R"("1.0")")},
-               refused("/asset/version", "only 2.x is read", ErrorKind::unsupported));
+               refused("/asset/version", "only 2.x", ErrorKind::unsupported));
     asset.rule("version-3", "version: the file is glTF 2", {set("/asset/version", R"("3.0")")},
-               refused("/asset/version", "only 2.x is read", ErrorKind::unsupported));
+               refused("/asset/version", "only 2.x", ErrorKind::unsupported));
     asset.text("generator");
     asset.text("copyright");
     asset.common(false);

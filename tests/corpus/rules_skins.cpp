@@ -6,7 +6,7 @@
 namespace hm::corpus {
 namespace {
 
-constexpr char kMistyped[] = "a type that this attribute can't have";
+constexpr char kMistyped[] = "a type that is invalid for this attribute";
 constexpr char kAttributes[] = "/meshes/0/primitives/0/attributes";
 
 void add_influence_rules(std::vector<Case>& cases) {
@@ -18,9 +18,9 @@ void add_influence_rules(std::vector<Case>& cases) {
         attributes.rule(slug, rule, std::move(edits), refused(attributes.pointer(key), message));
     };
     refuse("joints-missing", "JOINTS_0 and WEIGHTS_0: both or none",
-           {drop(attributes.pointer("JOINTS_0"))}, "WEIGHTS_0", "comes without JOINTS_0");
+           {drop(attributes.pointer("JOINTS_0"))}, "WEIGHTS_0", "is present without JOINTS_0");
     refuse("weights-missing", "JOINTS_0 and WEIGHTS_0: both or none",
-           {drop(attributes.pointer("WEIGHTS_0"))}, "JOINTS_0", "comes without WEIGHTS_0");
+           {drop(attributes.pointer("WEIGHTS_0"))}, "JOINTS_0", "is present without WEIGHTS_0");
     refuse("joints-type", "JOINTS_0: vectors of four unsigned integers",
            {set(attributes.pointer("JOINTS_0"), "3")}, "JOINTS_0", kMistyped);
     refuse("joints-signed", "JOINTS_0: vectors of four unsigned integers",
@@ -37,7 +37,8 @@ void add_influence_rules(std::vector<Case>& cases) {
            {set(attributes.pointer("JOINTS_2"), "2"), set(attributes.pointer("WEIGHTS_2"), "3")},
            "WEIGHTS_2", "without gaps");
     attributes.rule("joint-past-end", "JOINTS_0: below the count of the skin's joints",
-                    {put(73, "\2")}, refused("/nodes/0/skin", "uses joint 2, the skin has 2"));
+                    {put(73, "\2")},
+                    refused("/nodes/0/skin", "uses joint 2, but the skin has only 2"));
     attributes
         .rule("joint-unused", "JOINTS_0: 0 where the weight is 0", {put(74, "\1")},
               ignored("a joint without a weight moves nothing"))
@@ -45,7 +46,7 @@ void add_influence_rules(std::vector<Case>& cases) {
     const char* const primitive = "/meshes/0/primitives/0";
     attributes.rule("joint-twice", "JOINTS_0: no joint twice with a weight above 0",
                     {put(73, std::string(1, '\0'))},
-                    warned(primitive, "name a joint more than once", kRepaired));
+                    warned(primitive, "list a joint more than once", kRepaired));
     attributes.rule("weight-negative", "WEIGHTS_0: not negative", {put(84, floats({-0.5f, 1.5f}))},
                     refused("/accessors/3", "element 0 has the negative weight -0.5"));
     attributes.rule("weight-sum", "WEIGHTS_0: add up to 1", {put(84, floats({0.5f, 0.25f}))},
@@ -64,20 +65,20 @@ void add_target_rules(std::vector<Case>& cases) {
                    {set(target.pointer("JOINTS_0"), "2")}, ignored(kUnread));
     primitive.rule("target-base", "targets: only attributes that the primitive has",
                    {set(target.pointer("NORMAL"), "1")},
-                   refused(target.pointer("NORMAL"), "the primitive itself has no such attribute"));
+                   refused(target.pointer("NORMAL"), "the primitive does not have this attribute"));
     primitive.rule("target-count", "targets: as many elements as the primitive's",
                    {set("/accessors/1/count", "2"), set("/accessors/1/max", "[0,0,0]")},
                    refused(target.pointer("POSITION"), "has 2 elements, POSITION has 3"));
     primitive.rule("target-type", "targets: positions are float vectors of three",
                    {set(target.pointer("POSITION"), "3")},
-                   refused(target.pointer("POSITION"), "a type that this delta can't have"));
+                   refused(target.pointer("POSITION"), "a type that is invalid for this delta"));
     primitive.rule("target-integers", "targets: integers only with KHR_mesh_quantization",
                    {set("/accessors/1/componentType", "5122"),
                     set("/bufferViews/1/byteStride", "8"), set("/accessors/1/max", "[0,0,0]")},
-                   refused(target.pointer("POSITION"), "a type that this delta can't have"));
+                   refused(target.pointer("POSITION"), "a type that is invalid for this delta"));
     primitive.rule("target-no-limits", "targets: positions have min and max",
                    {drop("/accessors/1/min")},
-                   warned("/accessors/1", "lacks the min and max", kRepaired));
+                   warned("/accessors/1", "min and max are missing", kRepaired));
     primitive.rule("targets-differ", "targets: all primitives have as many",
                    {set("/meshes/0/primitives/1", R"({"attributes":{"POSITION":0}})")},
                    refused("/meshes/0/primitives", "one has 1 morph targets, another has 0"));
@@ -98,16 +99,16 @@ void add_target_rules(std::vector<Case>& cases) {
 
 void add_skin_rules(std::vector<Case>& cases) {
     Object skin(cases, "skin", "5.28", "/skins/0", Base::moving);
-    const Expected none = refused("/skins/0/joints", "a skin has at least one joint");
+    const Expected none = refused("/skins/0/joints", "must have at least one joint");
     skin.required("joints").expect(none);
     skin.indices("joints");
     skin.empty("joints").expect(none);
     skin.value("joints", "repeated", "[1,2,1]", "has no element twice", "")
-        .expect(refused("/skins/0/joints/2", "node 1 again"));
+        .expect(refused("/skins/0/joints/2", "node 1 is repeated"));
     skin.index("inverseBindMatrices");
     skin.index("skeleton");
     skin.common();
-    skin.value("inverseBindMatrices", "vectors", "3", "MAT4 of floats", "4x4 matrices of floats");
+    skin.value("inverseBindMatrices", "vectors", "3", "MAT4 of floats", "must be MAT4 of floats");
     skin.rule("matrices-count", "inverseBindMatrices: one for each joint",
               {set("/accessors/4/count", "1")},
               refused("/skins/0/inverseBindMatrices", "has 1 elements for 2 joints"));
@@ -115,14 +116,14 @@ void add_skin_rules(std::vector<Case>& cases) {
               {put(132 + 12, floats({1}))},
               refused("/accessors/4", "the last row of element 0 is not 0 0 0 1"));
     skin.rule("matrices-nan", "inverseBindMatrices: not NaN", {put(132, words({0x7fc00000}))},
-              refused("/accessors/4", "element 0 is not a number"));
+              refused("/accessors/4", "element 0 is NaN"));
     skin.rule("no-common-root", "joints: have a common root",
               {drop("/nodes/1/children"), set("/scenes/0/nodes", "[0,1,2]")},
               warned("/skins/0/joints", "no common root", kRepaired));
     Object node(cases, "node-skin", "5.25", "/nodes/0", Base::moving);
     node.index("skin");
     node.rule("no-mesh", "skin: only with a mesh", {set("/nodes/2/skin", "0")},
-              refused("/nodes/2/skin", "a node without a mesh has no skin"));
+              refused("/nodes/2/skin", "a node with a skin must have a mesh"));
     node.rule("no-joints", "skin: the mesh has JOINTS_0 and WEIGHTS_0",
               {set("/meshes/0/primitives/0/attributes", R"({"POSITION":0})")},
               refused("/nodes/0/skin", "a primitive without JOINTS_0 and WEIGHTS_0"));

@@ -25,9 +25,9 @@ void add_image_rules(std::vector<Case>& cases) {
     image.required("mimeType").expect(ignored("the content tells the format"));
     image.text("mimeType");
     image.value("mimeType", "unknown", R"("image/gif")", "is image/png or image/jpeg", "")
-        .expect(warned("/images/0", "is called \"image/gif\" but is image/png", kRepaired));
+        .expect(warned("/images/0", "declared as \"image/gif\", but it is image/png", kRepaired));
     image.value("mimeType", "differs", R"("image/jpeg")", "is that of the content", "")
-        .expect(warned("/images/0", "is called \"image/jpeg\" but is image/png", kRepaired));
+        .expect(warned("/images/0", "declared as \"image/jpeg\", but it is image/png", kRepaired));
     image.common();
     Object linked(cases, "image-uri", "5.18", "/images/1");
     linked.text("uri");
@@ -47,16 +47,17 @@ void add_sampler_rules(std::vector<Case>& cases) {
     Object sampler(cases, "sampler", "5.26", "/samplers/0");
     for (const char* key : {"magFilter", "minFilter"}) {
         sampler.choice(key);
-        sampler.unlisted(key, "unknown", "9730", "is one of the known filters", "is no filter");
+        sampler.unlisted(key, "unknown", "9730", "is one of the known filters", "is not a filter");
     }
-    sampler.unlisted("magFilter", "mipmap", "9987", "is one of the known filters", "is no filter");
-    sampler.unlisted("minFilter", "zero", "0", "is one of the known filters", "is no filter");
+    sampler.unlisted("magFilter", "mipmap", "9987", "is one of the known filters",
+                     "is not a filter");
+    sampler.unlisted("minFilter", "zero", "0", "is one of the known filters", "is not a filter");
     for (const char* key : {"wrapS", "wrapT"}) {
         sampler.choice(key);
         sampler.unlisted(key, "unknown", "10496", "is one of the known modes",
-                         "is no wrapping mode");
+                         "is not a wrapping mode");
         sampler.unlisted(key, "border", "33069", "is one of the known modes",
-                         "is no wrapping mode");
+                         "is not a wrapping mode");
     }
     sampler.common();
 }
