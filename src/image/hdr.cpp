@@ -133,6 +133,7 @@ Result<void> parse_variable(std::string_view line, std::string_view name, Header
         std::array<double, 8> xy{};
         for (double& number : xy)
             number = take_number<double>(value).value_or(std::nan(""));
+        if (xy == std::array<double, 8>{}) return {};  // how Photoshop says that it knows none
         const Chromaticities primaries = {
             {xy[0], xy[1]}, {xy[2], xy[3]}, {xy[4], xy[5]}, {xy[6], xy[7]}};
         if (is_rec709(primaries)) return {};

@@ -63,7 +63,9 @@ TEST(Hdr, OtherColourSpacesAreConverted) {
     EXPECT_NEAR(pixel(rec2020, {0, 128, 0, 129})[1], 1.1329, 1e-4);
     EXPECT_EQ(pixel(rec2020, {0, 128, 0, 129})[0], 0.0f);
     const std::string rec709 = "PRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329";
-    EXPECT_EQ(pixel(rec709, {128, 64, 0, 129}), (Rgba<float>{1.0f, 0.5f, 0.0f, 1.0f}));
+    const std::string unknown = "PRIMARIES=0 0 0 0 0 0 0 0";  // as Photoshop writes
+    for (const std::string& variable : {rec709, unknown})
+        EXPECT_EQ(pixel(variable, {128, 64, 0, 129}), (Rgba<float>{1.0f, 0.5f, 0.0f, 1.0f}));
 }
 
 TEST(Hdr, OldRuns) {
