@@ -1,4 +1,4 @@
-// Numbers as PNG and JPEG store them.
+// Big-endian integers, as in PNG and JPEG.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace hm {
 
-// All of `bytes`, at most eight, as one number; the first is the most significant.
+// Interprets all of `bytes`, at most 8, as one big-endian integer.
 inline std::uint64_t big_endian(Bytes bytes) {
     std::uint64_t value = 0;
     for (const std::byte b : bytes)

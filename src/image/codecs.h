@@ -1,5 +1,5 @@
-// The formats one by one, from and to memory; read.cpp and write.cpp choose between them. Decoders
-// may throw std::bad_alloc, nothing else. All are safe to call from several threads.
+// Decoders and encoders of each format, in memory; read.cpp and write.cpp choose between them.
+// Decoders may throw std::bad_alloc only. All functions are thread-safe.
 #pragma once
 
 #include <cstddef>
@@ -20,19 +20,18 @@ using Bytes = std::span<const std::byte>;
 
 enum class FileFormat { unknown, png, jpeg, hdr, exr };
 
-// By the first bytes.
+// Detected by the first bytes.
 FileFormat file_format(Bytes bytes);
 
-// Fails if a header's claim is empty or larger than read.h allows. Decoders call it before they
-// take memory.
+// Fails if the size is zero or exceeds the limits of read.h. Decoders call it before allocating.
 Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::string_view name);
 
-// Where the fast decoder refuses a file, libspng decides whether its pixels are whole.
+// If the fast decoder rejects a file, libspng decides whether its pixels are complete.
 Result<TextureImage> decode_png(Bytes bytes, std::string_view name, ReadWarnings& warnings);
-// Ignores damaged ancillary chunks and surplus bytes. `sixteen_bits`: IHDR's depth is 16.
+// Ignores damaged ancillary chunks and trailing data. `sixteen_bits`: the bit depth in IHDR is 16.
 Result<TextureImage> decode_png_leniently(Bytes bytes, bool sixteen_bits);
 Result<TextureImage> decode_jpeg(Bytes bytes, std::string_view name);
-// As environments: read.h.
+// For environments, see read.h.
 Result<FloatImage> decode_hdr(Bytes bytes, std::string_view name, ReadWarnings& warnings);
 Result<FloatImage> decode_exr(Bytes bytes, std::string_view name, ReadWarnings& warnings);
 Result<LayeredImage> decode_layers(Bytes bytes, std::string_view name);

@@ -29,7 +29,7 @@ Matrix3 diagonal(const Vector3& v) {
     return {{{v[0], 0, 0}, {0, v[1], 0}, {0, 0, v[2]}}};
 }
 
-// By cofactors; nothing where the determinant is not far enough from zero, or NaN.
+// By cofactors; nullopt if the determinant is almost zero or not finite.
 std::optional<Matrix3> inverse(const Matrix3& m) {
     Matrix3 cofactors{};
     for (std::size_t r = 0; r < 3; ++r)
@@ -53,7 +53,7 @@ Vector3 xyz_of(const std::array<double, 2>& xy) {
     return {xy[0], xy[1], 1.0 - xy[0] - xy[1]};
 }
 
-// White's XYZ with Y = 1.
+// XYZ of the white point with Y = 1.
 std::optional<Vector3> white_of(const Chromaticities& c) {
     if (!(c.white[1] > 0.0)) return std::nullopt;
     Vector3 white = xyz_of(c.white);
@@ -62,7 +62,7 @@ std::optional<Vector3> white_of(const Chromaticities& c) {
     return white;
 }
 
-// Columns are the primaries, scaled so that their sum is white.
+// The columns are the primaries, scaled to add up to white.
 std::optional<Matrix3> rgb_to_xyz(const Chromaticities& c) {
     const Vector3 red = xyz_of(c.red), green = xyz_of(c.green), blue = xyz_of(c.blue);
     Matrix3 primaries{};

@@ -18,7 +18,7 @@ std::optional<std::uint64_t> png_size(Bytes bytes) {
                                                           : PixelFormat::rgba8);
 }
 
-// Start of frame: 0xC0 to 0xCF but for three markers of other use.
+// Start of frame: 0xC0 to 0xCF except DHT, JPG and DAC.
 bool is_frame(std::uint64_t marker) {
     return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
@@ -27,7 +27,7 @@ std::optional<std::uint64_t> jpeg_size(Bytes bytes) {
     std::size_t at = 2;
     while (at + 4 <= bytes.size()) {
         const std::uint64_t marker = big_endian(bytes.subspan(at + 1, 1));
-        // Stray bytes and fill bytes before a marker are passed over, as the decoder does.
+        // Skip stray bytes and fill bytes before a marker, like the decoder.
         if (bytes[at] != std::byte(0xFF) || marker == 0xFF || marker == 0) {
             ++at;
             continue;
@@ -37,8 +37,8 @@ std::optional<std::uint64_t> jpeg_size(Bytes bytes) {
             return big_endian(bytes.subspan(at + 5, 2)) * big_endian(bytes.subspan(at + 7, 2)) *
                    bytes_per_pixel(PixelFormat::rgba8);
         }
-        const bool alone = marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8);
-        at += 2 + (alone ? 0 : big_endian(bytes.subspan(at + 2, 2)));
+        const bool has_no_length = marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8);
+        at += 2 + (has_no_length ? 0 : big_endian(bytes.subspan(at + 2, 2)));
     }
     return std::nullopt;
 }

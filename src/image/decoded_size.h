@@ -1,4 +1,4 @@
-// What a picture will take in memory, from its header alone.
+// Memory size of a decoded picture, from its header alone.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace hm {
 
-// Bytes of the pixels that read_texture_image would return; nothing where the header is damaged or
-// the format is no texture's, which read_texture_image then says.
+// Bytes of the pixels that read_texture_image would return; nullopt if the header is damaged or the
+// format is not a texture format, for which read_texture_image reports an error.
 std::optional<std::uint64_t> decoded_size(Bytes bytes);
 
 }  // namespace hm

@@ -1,4 +1,4 @@
-// OpenEXR files as environments, through the library's C++ interface.
+// Reads OpenEXR files as environments, with the C++ interface of the OpenEXR library.
 #include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -31,14 +31,14 @@ tl::unexpected<Error> refuse(std::string_view name, std::string message,
     return fail(kind, std::string(name), "", "EXR: " + std::move(message));
 }
 
-// The stored channels that are red, green and blue: one channel where the picture is grey.
+// The channels used as red, green and blue; a single one for grey pictures.
 struct Colors {
     std::vector<std::string> channels;  // 3 or 1
-    std::string layer;                  // empty: the picture proper
+    std::string layer;                  // empty: the unnamed layer
 };
 
-// R, G and B of the picture proper, else its Y, else R, G and B of the first layer that has them,
-// else R alone.
+// R, G and B without a layer name, else Y, else R, G and B of the first layer that has them, else R
+// alone.
 std::optional<Colors> choose_colors(const Imf::ChannelList& list) {
     const auto has = [&](const std::string& channel) {
         return list.findChannel(channel) != nullptr;
@@ -83,16 +83,16 @@ Result<ChosenPart> choose_part(Imf::MultiPartInputFile& file, std::string_view n
     if (first.findChannel("RY") || first.findChannel("BY"))
         return refuse(name, "luminance with chroma (Y, RY, BY) is not supported",
                       ErrorKind::unsupported);
-    return refuse(name, fmt::format("no R, G and B or Y among the channels {}", list_of(first)),
+    return refuse(name, fmt::format("no channels R, G and B or Y; found {}", list_of(first)),
                   ErrorKind::unsupported);
 }
 
-// To Rec. 709, if the file's chromaticities are others.
-Result<std::optional<Matrix3>> conversion(const Imf::Header& header, std::string_view name) {
+// The matrix to Rec. 709, or nullopt if the file is in Rec. 709.
+Result<std::optional<Matrix3>> conversion_matrix(const Imf::Header& header, std::string_view name) {
     const Chromaticities stored = chromaticities_of(header);
     if (is_rec709(stored)) return std::optional<Matrix3>();
     std::optional<Matrix3> matrix = to_rec709(stored);
-    if (!matrix) return refuse(name, "the chromaticities are no colour space");
+    if (!matrix) return refuse(name, "the chromaticities do not define a colour space");
     return matrix;
 }
 
@@ -100,9 +100,10 @@ bool contains(const Imath::Box2i& outer, const Imath::Box2i& inner) {
     return outer.intersects(inner.min) && outer.intersects(inner.max);
 }
 
-// The display window, which a small file may claim to be large: then it takes memory for black.
+// A black image of the display window. Limited relative to the data window, so that a small file
+// cannot force a large allocation.
 Result<FloatImage> black_display(const Imf::Header& header, std::string_view name) {
-    constexpr std::uint64_t kPixelsForAnyFile = 1u << 24, kTimesTheData = 64;
+    constexpr std::uint64_t kAlwaysAllowed = 1u << 24, kMaxRatio = 64;
     const Imath::Box2i display = header.displayWindow(), data = header.dataWindow();
     const auto side = [](int min, int max) {
         return std::uint64_t(std::max<std::int64_t>(std::int64_t(max) - min + 1, 0));
@@ -111,8 +112,8 @@ Result<FloatImage> black_display(const Imf::Header& header, std::string_view nam
     const std::uint64_t height = side(display.min.y, display.max.y);
     HM_TRY(check_image_size(width, height, name));
     const std::uint64_t stored = side(data.min.x, data.max.x) * side(data.min.y, data.max.y);
-    if (width * height > std::max(kPixelsForAnyFile, stored * kTimesTheData))
-        return refuse(name, fmt::format("the display window of {} x {} pixels has data for {}",
+    if (width * height > std::max(kAlwaysAllowed, stored * kMaxRatio))
+        return refuse(name, fmt::format("the display window of {} x {} pixels has data for only {}",
                                         width, height, stored));
     FloatImage image{std::uint32_t(width), std::uint32_t(height)};
     for (Rgba<float>& pixel : image.pixels)
@@ -120,17 +121,17 @@ Result<FloatImage> black_display(const Imf::Header& header, std::string_view nam
     return image;
 }
 
-// Rows are read in blocks: a small file that claims a large data window fails early.
-constexpr std::size_t kPixelsAtOnce = 1u << 20;
+// Rows are read in blocks, so that a small file with a huge data window fails early.
+constexpr std::size_t kBlockPixels = 1u << 20;
 
-// Reads the data window's rows and hands those over that the display window shows.
+// Reads the rows of the data window and calls `row` with each.
 template <class Row>
 void read_rows(Imf::InputPart& part, const std::vector<std::string>& channels, const Row& row) {
     const Imath::Box2i data = part.header().dataWindow();
     const auto width = std::size_t(data.max.x - data.min.x + 1);
     const auto height = std::size_t(data.max.y - data.min.y + 1);
     const std::size_t block_rows =
-        std::clamp(kPixelsAtOnce / width, std::min<std::size_t>(16, height), height);
+        std::clamp(kBlockPixels / width, std::min<std::size_t>(16, height), height);
     std::vector<std::array<float, 3>> block(width * block_rows);
     for (int first = data.min.y; first <= data.max.y; first += int(block_rows)) {
         const int last = std::min(first + int(block_rows) - 1, data.max.y);
@@ -151,15 +152,15 @@ Result<FloatImage> read_part(Imf::MultiPartInputFile& file, const ChosenPart& ch
     Imf::InputPart part(file, chosen.number);
     const Imf::Header& header = part.header();
     if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE)
-        return refuse(name,
-                      "cube maps are not supported; exrenvmap -l makes a latitude-longitude map",
-                      ErrorKind::unsupported);
+        return refuse(
+            name, "cube maps are not supported; exrenvmap -l converts to a latitude-longitude map",
+            ErrorKind::unsupported);
     for (const std::string& channel : chosen.colors.channels) {
         const Imf::Channel& c = header.channels()[channel];
         if (c.xSampling != 1 || c.ySampling != 1)
             return refuse(name, "channel " + channel + " is subsampled", ErrorKind::unsupported);
     }
-    HM_TRY_ASSIGN(const std::optional<Matrix3> matrix, conversion(header, name));
+    HM_TRY_ASSIGN(const std::optional<Matrix3> matrix, conversion_matrix(header, name));
     HM_TRY_ASSIGN(FloatImage image, black_display(header, name));
     const Imath::Box2i display = header.displayWindow(), data = header.dataWindow();
     RadianceReader radiance(matrix);
@@ -175,10 +176,11 @@ Result<FloatImage> read_part(Imf::MultiPartInputFile& file, const ChosenPart& ch
         }
     });
     if (!chosen.colors.layer.empty())
-        warnings.push_back(fmt::format("EXR: has no R, G and B proper; the layer \"{}\" is read",
-                                       chosen.colors.layer));
+        warnings.push_back(fmt::format(
+            "EXR: no R, G and B without a layer name; reading layer \"{}\"", chosen.colors.layer));
     if (!contains(data, display))
-        warnings.push_back("EXR: the display window is larger than the data window; black there");
+        warnings.push_back(
+            "EXR: the display window is larger than the data window; the rest is black");
     radiance.report("EXR", warnings);
     return image;
 }

@@ -1,4 +1,4 @@
-// OpenEXR files as environments: windows, chromaticities, parts, layers and what is refused.
+// OpenEXR files as environments: windows, chromaticities, parts, layers and rejected files.
 #include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -25,7 +25,7 @@ using namespace testing_images;
 
 const Imath::Box2i kFour({0, 0}, {3, 1});  // 4 x 2 pixels
 
-// Channel number c of pixel (x, y) of the data window holds 100 c + 10 y + x.
+// Channel c of pixel (x, y) of the data window is 100 c + 10 y + x.
 struct Part {
     Imf::Header header;
     std::vector<std::string> channels;
@@ -121,7 +121,7 @@ TEST(ExrEnvironment, ThePictureIsTheDisplayWindow) {
     };
     expect_at(display, 0);
     expect_at(Imath::Box2i({1, 4}, {3, 5}), 1);     // cropped: black around it
-    expect_at(Imath::Box2i({-9, 0}, {12, 30}), 0);  // overscan is left out
+    expect_at(Imath::Box2i({-9, 0}, {12, 30}), 0);  // overscan is cropped
     expect_at(Imath::Box2i({4, 5}, {12, 30}), 1);
 }
 
@@ -151,8 +151,8 @@ TEST(ExrEnvironment, ChromaticitiesAreConverted) {
     EXPECT_FALSE(read_environment_image(write({nonsense}), "e", warnings));
 }
 
-// Published matrices: ITU-R BT.2087, 2020 to 709; ACEScg to linear sRGB with Bradford (as in colour
-// science packages).
+// Published matrices: ITU-R BT.2087, BT.2020 to BT.709; ACEScg to linear sRGB with Bradford
+// adaptation (as in colour science packages).
 TEST(ColorSpace, MatricesArePublishedOnes) {
     const auto expect_rows = [](const Chromaticities& from, const Matrix3& expected) {
         const auto matrix = to_rec709(from);

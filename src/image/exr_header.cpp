@@ -18,10 +18,10 @@ namespace {
 constexpr std::uint32_t kTiledFlag = 0x200, kDeepFlag = 0x800, kMultiPartFlag = 0x1000;
 constexpr std::size_t kMaxNameLength = 255;
 
-// A tile may be larger than its picture, but not by much more than this.
+// A tile may be larger than the picture, but not larger than this.
 constexpr std::uint64_t kMaxTileSide = 4096;
 
-// 16 bytes of channel description follow each channel's name.
+// Each channel is a name followed by 16 bytes.
 constexpr std::uint64_t kMinChannelBytes = 18;
 constexpr std::uint64_t kMaxValues = kMaxImagePixels * 16;
 
@@ -61,7 +61,7 @@ class Cursor {
     Bytes rest_;
 };
 
-struct Claims {
+struct Declared {
     std::uint64_t width = 0, height = 0;
     std::uint64_t tile_width = 0, tile_height = 0;
     std::uint64_t channels = 0;  // at most
@@ -69,7 +69,7 @@ struct Claims {
     std::uint64_t compression = 0;
 };
 
-// Codecs that OpenEXR 3.1 knows, and the names of those that later versions added.
+// Number of codecs in OpenEXR 3.1, and the names of those added later.
 constexpr std::uint64_t kCodecs = 10;
 std::string codec_name(std::uint64_t codec) {
     constexpr std::string_view kLater[] = {"HTJ2K256", "HTJ2K32", "LJ2K", "ZSTD"};  // 3.4, 3.5
@@ -133,8 +133,8 @@ bool is_preview(Bytes value) {
            value.size() % 4 == 0;
 }
 
-// Texts, each behind its length.
-bool is_list_of_texts(Bytes value) {
+// Strings, each preceded by its length.
+bool is_string_list(Bytes value) {
     Cursor cursor(value);
     while (!cursor.at_end()) {
         const auto length = cursor.number();
@@ -143,81 +143,82 @@ bool is_list_of_texts(Bytes value) {
     return true;
 }
 
-// Of the types that it knows, OpenEXR reads as many bytes as they have, whatever size the file
-// gives. Where the two differ it would go on elsewhere than this check does, and see another
-// header.
+// For the types that it knows, OpenEXR reads as many bytes as the type has, whatever size the file
+// declares. If the two differ, it would continue at another position than this check and see
+// another header.
 bool has_right_size(std::string_view type, Bytes value) {
     if (type == "chlist") return is_channel_list(value);
     if (type == "preview") return is_preview(value);
-    if (type == "stringvector") return is_list_of_texts(value);
+    if (type == "stringvector") return is_string_list(value);
     if (type == "floatvector") return value.size() % 4 == 0;
     const auto* const known = std::find_if(kSizedTypes.begin(), kSizedTypes.end(),
                                            [&](const SizedType& t) { return t.name == type; });
     return known == kSizedTypes.end() || known->bytes == value.size();
 }
 
-void note_attribute(std::string_view attribute, std::string_view type, Bytes value,
-                    Claims& claims) {
+void record_attribute(std::string_view attribute, std::string_view type, Bytes value,
+                      Declared& declared) {
     Cursor cursor(value);
     if (attribute == "dataWindow" && type == "box2i" && value.size() == 16) {
         std::int64_t corner[4];  // x and y of the first pixel, then of the last one
         for (std::int64_t& c : corner)
             c = std::int32_t(*cursor.number());
-        claims.width = std::uint64_t(std::max<std::int64_t>(corner[2] - corner[0] + 1, 0));
-        claims.height = std::uint64_t(std::max<std::int64_t>(corner[3] - corner[1] + 1, 0));
+        declared.width = std::uint64_t(std::max<std::int64_t>(corner[2] - corner[0] + 1, 0));
+        declared.height = std::uint64_t(std::max<std::int64_t>(corner[3] - corner[1] + 1, 0));
     } else if (attribute == "tiles" && type == "tiledesc" && value.size() == 9) {
-        claims.tile_width = *cursor.number();
-        claims.tile_height = *cursor.number();
+        declared.tile_width = *cursor.number();
+        declared.tile_height = *cursor.number();
     } else if (attribute == "compression" && type == "compression") {
-        claims.compression = std::to_integer<std::uint64_t>(value[0]);
+        declared.compression = std::to_integer<std::uint64_t>(value[0]);
     } else if (attribute == "chunkCount" && type == "int") {
-        claims.chunks = *cursor.number();
+        declared.chunks = *cursor.number();
     } else if (attribute == "channels" && type == "chlist") {
-        claims.channels = value.size() / kMinChannelBytes;
+        declared.channels = value.size() / kMinChannelBytes;
     }
 }
 
-// The attributes of one part; nothing where the list of parts ends.
-Result<std::optional<Claims>> read_header(Cursor& cursor, std::string_view name) {
-    Claims claims;
+// The attributes of one part; nullopt at the end of the list of parts.
+Result<std::optional<Declared>> read_header(Cursor& cursor, std::string_view name) {
+    Declared declared;
     for (bool first = true;; first = false) {
         const auto attribute = cursor.word();
-        if (!attribute) return refuse(name, "the header ends early");
+        if (!attribute) return refuse(name, "the header is truncated");
         if (attribute->empty()) {
-            if (first) return std::optional<Claims>();
-            return std::optional(claims);
+            if (first) return std::optional<Declared>();
+            return std::optional(declared);
         }
         const auto type = cursor.word();
         const auto size = cursor.number();
         const auto value = size ? cursor.take(*size) : std::nullopt;
         if (!type || !value)
-            return refuse(name, fmt::format("attribute \"{}\" ends past the file", *attribute));
+            return refuse(
+                name, fmt::format("attribute \"{}\" extends past the end of the file", *attribute));
         if (!has_right_size(*type, *value))
             return refuse(name, fmt::format("attribute \"{}\" of type \"{}\" has {} bytes",
                                             *attribute, *type, value->size()));
-        note_attribute(*attribute, *type, *value, claims);
+        record_attribute(*attribute, *type, *value, declared);
     }
 }
 
 struct Limits {
-    std::uint64_t chunks;  // that the file has room for
-    bool tiled;            // it may have tiles
+    std::uint64_t chunks;  // most chunks that fit into the file
+    bool tiled;            // the file may have tiles
 };
 
-Result<void> check_claims(const Claims& claims, const Limits& limits, std::string_view name) {
-    if (claims.compression >= kCodecs)
+Result<void> check_declared(const Declared& declared, const Limits& limits, std::string_view name) {
+    if (declared.compression >= kCodecs)
         return refuse(name,
-                      fmt::format("the codec {} is newer than the OpenEXR library here",
-                                  codec_name(claims.compression)),
+                      fmt::format("compression {} requires a newer OpenEXR library",
+                                  codec_name(declared.compression)),
                       ErrorKind::unsupported);
-    HM_TRY(check_image_size(claims.width, claims.height, name));
-    const std::uint64_t side = std::max({claims.width, claims.height, kMaxTileSide});
-    if (limits.tiled && (claims.tile_width > side || claims.tile_height > side ||
-                         claims.tile_width * claims.tile_height > kMaxImagePixels))
-        return refuse(name, fmt::format("tiles of {} x {} pixels are too large", claims.tile_width,
-                                        claims.tile_height));
-    if (claims.chunks > limits.chunks)
-        return refuse(name, fmt::format("{} chunks are more than the file holds", claims.chunks));
+    HM_TRY(check_image_size(declared.width, declared.height, name));
+    const std::uint64_t side = std::max({declared.width, declared.height, kMaxTileSide});
+    if (limits.tiled && (declared.tile_width > side || declared.tile_height > side ||
+                         declared.tile_width * declared.tile_height > kMaxImagePixels))
+        return refuse(name, fmt::format("tiles of {} x {} pixels are too large",
+                                        declared.tile_width, declared.tile_height));
+    if (declared.chunks > limits.chunks)
+        return refuse(name, fmt::format("{} chunks do not fit into the file", declared.chunks));
     return {};
 }
 
@@ -227,17 +228,17 @@ Result<void> check_exr_header(Bytes bytes, std::string_view name) {
     Cursor cursor(bytes);
     const auto magic = cursor.number();
     const auto version = cursor.number();
-    if (!magic || !version) return refuse(name, "the header ends early");
+    if (!magic || !version) return refuse(name, "the header is truncated");
     const bool several = (*version & kMultiPartFlag) != 0;
     if ((*version & kDeepFlag) && !several)
         return refuse(name, "deep data is not supported", ErrorKind::unsupported);
     const Limits limits{bytes.size() / 8, (*version & kTiledFlag) != 0 || several};
     std::uint64_t values = 0;
     for (;;) {
-        HM_TRY_ASSIGN(const std::optional<Claims> claims, read_header(cursor, name));
-        if (!claims) break;
-        HM_TRY(check_claims(*claims, limits, name));
-        values += claims->width * claims->height * claims->channels;
+        HM_TRY_ASSIGN(const std::optional<Declared> declared, read_header(cursor, name));
+        if (!declared) break;
+        HM_TRY(check_declared(*declared, limits, name));
+        values += declared->width * declared->height * declared->channels;
         if (values > kMaxValues) return refuse(name, fmt::format("{} values are too many", values));
         if (!several) break;
     }

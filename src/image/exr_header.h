@@ -1,5 +1,5 @@
-// A first look at an OpenEXR header. The library trusts the sizes in it and takes memory for them,
-// so they are checked here before the file is handed over.
+// Validates an OpenEXR header before the library reads the file: the library allocates memory for
+// the sizes in it unchecked.
 #pragma once
 
 #include "base/result.h"
@@ -7,9 +7,9 @@
 
 namespace hm {
 
-// Fails unless the file has flat parts, attributes that end inside the file, and data windows,
-// tiles and channels that keep to the limits of read.h. Deep data and codecs of later versions of
-// OpenEXR are ErrorKind::unsupported.
+// Fails unless all parts are flat, attributes end inside the file, and data windows, tiles and
+// channels are within the limits of read.h. Deep data and codecs of later OpenEXR versions are
+// ErrorKind::unsupported.
 Result<void> check_exr_header(Bytes bytes, std::string_view name);
 
 }  // namespace hm

@@ -1,4 +1,4 @@
-// What writing and reading OpenEXR share.
+// Shared by reading and writing OpenEXR.
 #pragma once
 
 #include <ImfHeader.h>
@@ -15,7 +15,7 @@
 
 namespace hm {
 
-// Attributes that describe how pixels are stored: a header has its own, even an empty one.
+// Attributes that describe how pixels are stored; every header has its own.
 inline bool describes_storage(std::string_view attribute) {
     constexpr std::string_view kStorage[] = {
         "channels", "compression", "dataWindow", "displayWindow", "lineOrder", "tiles",
@@ -23,12 +23,12 @@ inline bool describes_storage(std::string_view attribute) {
     return std::find(std::begin(kStorage), std::end(kStorage), attribute) != std::end(kStorage);
 }
 
-// Other attributes of a file that was read, but for texts, which are metadata.
+// The other attributes of a file, except strings, which are metadata.
 struct ExrAttributes {
     Imf::Header header;
 };
 
-// Rec. 709 where the file does not say.
+// Rec. 709 unless the file specifies others.
 inline Chromaticities chromaticities_of(const Imf::Header& header) {
     if (!Imf::hasChromaticities(header)) return kRec709;
     const Imf::Chromaticities& c = Imf::chromaticities(header);

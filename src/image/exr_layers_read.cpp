@@ -1,4 +1,4 @@
-// OpenEXR to layers, through its library.
+// Reads OpenEXR files as layers.
 #include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -30,13 +30,13 @@ PictureWindow window_of(const Imath::Box2i& box) {
     return {box.min.x, box.min.y, box.max.x + 1, box.max.y + 1};
 }
 
-// R G B A, X Y Z, U V u v, then the others by their names.
+// R G B A, X Y Z, U V u v, then the others by name.
 std::size_t channel_rank(std::string_view name) {
     constexpr std::string_view kOrder = "RGBAXYZUVuv";
     return name.size() == 1 ? kOrder.find(name[0]) : std::string_view::npos;
 }
 
-Layer& layer_called(std::vector<Layer>& layers, std::string_view name) {
+Layer& find_or_add_layer(std::vector<Layer>& layers, std::string_view name) {
     for (Layer& layer : layers)
         if (layer.name == name) return layer;
     return layers.emplace_back(Layer{std::string(name), {}});
@@ -47,14 +47,14 @@ ChannelType type_of(Imf::PixelType type) {
     return type == Imf::UINT ? ChannelType::uint32 : ChannelType::float32;
 }
 
-// A channel of a part, and where it goes.
+// A stored channel and its destination.
 struct Incoming {
     std::string stored_name;
     std::size_t layer, channel;
 };
 
-// Adds a part's channels to the layers. Where a channel of that name is there already, as in files
-// with a part for each layer, the part's name comes first.
+// Adds a part's channels to the layers. If a channel of that name exists, as in files with one part
+// per layer, the layer name is prefixed with the part's name.
 Result<void> list_channels(const Imf::Header& header, std::string_view name,
                            std::vector<Layer>& layers, std::vector<Incoming>& incoming) {
     const Imf::ChannelList& list = header.channels();
@@ -71,8 +71,8 @@ Result<void> list_channels(const Imf::Header& header, std::string_view name,
         std::string layer = dot == full.npos ? "" : full.substr(0, dot);
         const std::string channel = dot == full.npos ? full : full.substr(dot + 1);
         if (taken(layer, channel)) layer = header.name() + (layer.empty() ? "" : "." + layer);
-        if (taken(layer, channel)) return refuse(name, "has two channels " + full);
-        Layer& target = layer_called(layers, layer);
+        if (taken(layer, channel)) return refuse(name, "duplicate channel " + full);
+        Layer& target = find_or_add_layer(layers, layer);
         incoming.push_back({full, std::size_t(&target - layers.data()), target.channels.size()});
         target.channels.push_back({channel, {}, type_of(c.channel().type), {}});
     }
@@ -104,13 +104,13 @@ void take_block(const Block& block, std::size_t count, LayerChannel& channel) {
     }
 }
 
-// Rows are read in blocks and memory is touched as they come: a small file that claims a large
-// picture fails before it has cost much.
+// Rows are read in blocks and memory grows with them, so that a small file with a huge data window
+// fails early.
 void read_rows(Imf::InputPart& part, const std::vector<Incoming>& channels, LayeredImage& picture) {
-    constexpr std::size_t kValuesAtOnce = 1u << 22;
+    constexpr std::size_t kBlockValues = 1u << 22;
     const std::size_t width = picture.data.width();
     const int rows = int(std::clamp<std::size_t>(
-        kValuesAtOnce / std::max<std::size_t>(width * channels.size(), 1), 1, 1024));
+        kBlockValues / std::max<std::size_t>(width * channels.size(), 1), 1, 1024));
     std::vector<Block> blocks(channels.size());
     for (int first = picture.data.y0; first < picture.data.y1; first += rows) {
         const int last = std::min(first + rows, picture.data.y1) - 1;
@@ -137,7 +137,7 @@ void read_rows(Imf::InputPart& part, const std::vector<Incoming>& channels, Laye
     }
 }
 
-// Of the first part: texts become metadata, the others are kept as they are.
+// Attributes of the first part: strings become metadata, the others are kept unchanged.
 void read_attributes(const Imf::Header& header, LayeredImage& picture) {
     auto kept = std::make_shared<ExrAttributes>();
     for (auto a = header.begin(); a != header.end(); ++a) {

@@ -1,4 +1,4 @@
-// Layers to OpenEXR, through its library.
+// Writes layers as OpenEXR files.
 #include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfChromaticitiesAttribute.h>
@@ -34,14 +34,14 @@ constexpr std::array kCompressions = {
     Imf::PIZ_COMPRESSION,  Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION,  Imf::B44A_COMPRESSION,
     Imf::DWAA_COMPRESSION, Imf::DWAB_COMPRESSION};
 
-// Attribute names that mean something to readers of OpenEXR, whatever their type.
+// Attribute names that OpenEXR readers interpret, whatever their type.
 bool is_reserved(std::string_view name) {
     constexpr std::string_view kReserved[] = {"name",       "type",  "version", "view",
                                               "chunkCount", "tiles", "preview", "multiView"};
     return std::find(std::begin(kReserved), std::end(kReserved), name) != std::end(kReserved);
 }
 
-// Printable ASCII without blanks, at most 255 characters; an underscore is added until it is free.
+// Printable ASCII without spaces, at most 255 characters; underscores are appended until unused.
 std::string attribute_name(const Imf::Header& header, std::string_view wanted) {
     constexpr std::size_t kMaxLength = 240;  // leaves room for the underscores
     std::string name;
@@ -56,7 +56,7 @@ Imath::Box2i box_of(const PictureWindow& w) {
     return {{w.x0, w.y0}, {w.x1 - 1, w.y1 - 1}};
 }
 
-// A finite value that half can't hold is the largest that it can.
+// Finite values outside the range of half are clamped to it.
 std::vector<half> to_half(std::span<const float> values) {
     constexpr float kLargest = 65504.0f;
     std::vector<half> halves(values.size());
@@ -66,14 +66,14 @@ std::vector<half> to_half(std::span<const float> values) {
     return halves;
 }
 
-// One part of a file being written, and the memory that its frame buffer points into.
+// A part to be written, and the memory that its frame buffer points into.
 struct OutgoingPart {
     Imf::Header header;
     Imf::FrameBuffer frame;
     std::vector<std::vector<half>> halves;
 
     void add(const std::string& name, const LayerChannel& channel) {
-        HM_CHECK(header.channels().findChannel(name) == nullptr, "two channels {}", name);
+        HM_CHECK(header.channels().findChannel(name) == nullptr, "duplicate channel {}", name);
         const Imath::Box2i box = header.dataWindow();
         const std::size_t width = std::size_t(box.max.x - box.min.x + 1);
         Imf::PixelType type = Imf::FLOAT;
@@ -102,14 +102,14 @@ Imf::Header make_header(const LayeredImage& picture, const ExrOptions& options) 
         for (auto a = kept.begin(); a != kept.end(); ++a)
             if (!describes_storage(a.name())) header.insert(a.name(), a.attribute());
     } else {
-        Imf::addChromaticities(header, Imf::Chromaticities());  // the default ones are Rec.709's
+        Imf::addChromaticities(header, Imf::Chromaticities());  // defaults to Rec. 709
     }
     return header;
 }
 
-// Lossy codecs are for the beauty alone: DWAA and DWAB take every channel whose last part is R, G,
-// B or Y for a colour, and B44 and PXR24 shorten whatever is a float. The other layers then are a
-// part of their own, without loss.
+// Lossy compression is applied to the beauty only: DWAA and DWAB treat every channel whose last
+// component is R, G, B or Y as a colour, and B44 and PXR24 reduce the precision of floats. The
+// other layers are then stored losslessly in a second part.
 std::deque<OutgoingPart> make_parts(const LayeredImage& picture, const ExrOptions& options) {
     const bool split = !is_lossless(options.compression) &&
                        std::any_of(picture.layers.begin(), picture.layers.end(),
@@ -149,7 +149,7 @@ void write_lines(ScanLineFile&& file, const OutgoingPart& part) {
     file.writePixels(box.max.y - box.min.y + 1);
 }
 
-// Tables of offsets are written when a file is closed.
+// The library writes offset tables when it closes a file.
 void write_to(ExrOutput& stream, const std::deque<OutgoingPart>& parts) {
     const bool tiled = parts[0].header.hasTileDescription();
     if (parts.size() == 1) {

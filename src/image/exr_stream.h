@@ -1,4 +1,4 @@
-// OpenEXR's streams over memory.
+// OpenEXR streams in memory.
 #pragma once
 
 #include <ImfIO.h>
@@ -13,7 +13,7 @@
 
 namespace hm {
 
-// OpenEXR takes a stream's exceptions as failures to read and passes them on.
+// OpenEXR treats exceptions of a stream as read errors and rethrows them.
 class ExrInput : public Imf::IStream {
   public:
     ExrInput(Bytes bytes, const std::string& name) : IStream(name.c_str()), bytes_(bytes) {}
@@ -21,7 +21,7 @@ class ExrInput : public Imf::IStream {
     bool read(char to[], int count) override {
         const auto size = static_cast<std::size_t>(std::max(count, 0));
         if (at_ > bytes_.size() || size > bytes_.size() - at_)
-            throw std::runtime_error("the file ends early");
+            throw std::runtime_error("the file is truncated");
         if (size > 0) std::memcpy(to, bytes_.data() + at_, size);
         at_ += size;
         return at_ < bytes_.size();

@@ -1,4 +1,4 @@
-// OpenEXR: files made with its own library in the forms people use come back as linear floats.
+// OpenEXR: files written with its library in common layouts are read as linear floats.
 #include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfChromaticitiesAttribute.h>
@@ -66,7 +66,7 @@ TEST(Exr, EnvironmentIsCleaned) {
     EXPECT_EQ(clean->pixels[1][0], 0.0f);
     EXPECT_EQ(clean->pixels[1][1], image.pixels[1][1]);
     EXPECT_EQ(clean->pixels[1][3], 1.0f);
-    // For tools the values stay as they are.
+    // read_image keeps the values unchanged.
     EXPECT_TRUE(std::isnan(read_whole<float>(*bytes).pixels[0][1]));
 }
 
@@ -94,7 +94,7 @@ TEST(Exr, MetadataSurvives) {
     EXPECT_EQ(primaries.white, Imath::V2f(0.3127f, 0.3290f));
 }
 
-// A file with the given channels, each 1000 x + 10 y + (its number) at pixel (x, y) of the data
+// A file with the given channels; channel c is 1000 x + 10 y + c at pixel (x, y) of the data
 // window.
 struct ChannelSpec {
     const char* name;
@@ -141,7 +141,7 @@ ByteArray make_file(const std::vector<ChannelSpec>& channels, Imath::Box2i windo
     return bytes_of_file(path);
 }
 
-// Component c of every pixel is channel `source[c]` of make_file; -1 stands for one.
+// Component c of every pixel is channel `source[c]` of make_file, or one if that is -1.
 void expect_channels(const ByteArray& bytes, std::size_t width, std::size_t height,
                      std::array<int, 4> source) {
     const FloatImage image = read_whole<float>(bytes);
@@ -155,7 +155,7 @@ void expect_channels(const ByteArray& bytes, std::size_t width, std::size_t heig
         }
 }
 
-const Imath::Box2i kWindow({-3, 5}, {29, 41});  // 33 x 37, away from the display window's corner
+const Imath::Box2i kWindow({-3, 5}, {29, 41});  // 33 x 37, offset from the display window
 constexpr Imf::PixelType kHalf = Imf::HALF, kFloat = Imf::FLOAT, kUint = Imf::UINT;
 
 TEST(Exr, ChannelsOfEveryType) {
@@ -171,14 +171,14 @@ TEST(Exr, ChannelsOfEveryType) {
         expect_channels(made({{"Y", kFloat}}), 33, 37, {0, 0, 0, -1});
         expect_channels(made({{"Y", kUint}, {"A", kFloat}}), 33, 37, {0, 0, 0, 1});
     }
-    // Halves hold 2048 whole numbers exactly: a picture two pixels wide.
+    // Half floats are exact for integers up to 2048, hence a width of two pixels.
     const auto bytes = make_file({{"R", kHalf}, {"G", kHalf}, {"B", kHalf}},
                                  Imath::Box2i({0, 0}, {1, 9}), Imf::PIZ_COMPRESSION, false);
     expect_channels(bytes, 2, 10, {0, 1, 2, -1});
 }
 
 TEST(Exr, BlocksOfRowsJoin) {
-    // Wide enough to be read in several blocks that do not divide the chunks' 32 lines.
+    // Wide enough to be read in several blocks that are not aligned to the chunks of 32 lines.
     const Imath::Box2i window({0, 0}, {29999, 69});
     expect_channels(make_file({{"Y", kFloat}}, window, Imf::PIZ_COMPRESSION, false), 30000, 70,
                     {0, 0, 0, -1});
@@ -198,7 +198,7 @@ TEST(Exr, DamageIsSurvived) {
 
 TEST(Exr, HeaderThatLiesIsRefused) {
     const auto good = make_file({{"Y", kHalf}}, kWindow, Imf::ZIP_COMPRESSION, true);
-    // Where an attribute's value begins: after its name, its type and its size.
+    // Offset of an attribute's value, after its name, type and size.
     const auto value_of = [&](std::string_view name, std::string_view type) {
         const std::string key = std::string(name) + '\0' + std::string(type) + '\0';
         const auto found = std::search(good.begin(), good.end(), key.begin(), key.end(),
@@ -220,24 +220,24 @@ TEST(Exr, HeaderThatLiesIsRefused) {
     const std::size_t window = value_of("dataWindow", "box2i");
     const std::size_t tiles = value_of("tiles", "tiledesc");
     const std::size_t channels = value_of("channels", "chlist");
-    expect_refusal(window, {0, 0, 65535, 65535}, "in all");
-    expect_refusal(window, {-2147483647 - 1, 0, 2147483647, 0}, "a side");
+    expect_refusal(window, {0, 0, 65535, 65535}, "in total");
+    expect_refusal(window, {-2147483647 - 1, 0, 2147483647, 0}, "per side");
     expect_refusal(window, {0, 0, -1, 5}, "no pixels");
-    expect_refusal(window, {0, 0, 65535, 4095}, "");  // the chunks are missing
+    expect_refusal(window, {0, 0, 65535, 4095}, "");  // chunks are missing
     expect_refusal(tiles, {2147483647, 2147483647}, "too large");
     expect_refusal(tiles, {65536, 1}, "too large");
-    expect_refusal(channels - 4, {2147483647}, "past the file");
-    expect_refusal(channels - 4, {-1}, "past the file");
-    // The library would read all 16 bytes of the box, or the channels up to their end, and take
-    // what follows for other attributes than the ones that were checked.
+    expect_refusal(channels - 4, {2147483647}, "past the end of the file");
+    expect_refusal(channels - 4, {-1}, "past the end of the file");
+    // The library would read all 16 bytes of the box, or the channels to their end, and interpret
+    // what follows as attributes other than the checked ones.
     expect_refusal(window - 4, {6}, "has 6 bytes");
     expect_refusal(value_of("displayWindow", "box2i") - 4, {17}, "has 17 bytes");
     expect_refusal(channels - 4, {18}, "has 18 bytes");
     expect_refusal(value_of("lineOrder", "lineOrder") - 4, {4}, "has 4 bytes");
 }
 
-// What fuzzing found: a displayWindow that claims 6 bytes hid attributes from the check, one of
-// them of 1.8 GB, which the library took memory for.
+// Found by fuzzing: a displayWindow with a declared size of 6 bytes hid attributes from the check,
+// one of them of 1.8 GB, which the library allocated.
 TEST(Exr, AttributesBehindAShortBoxAreNotRead) {
     using std::literals::operator""sv;
     constexpr std::string_view kFile =

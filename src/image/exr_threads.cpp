@@ -8,7 +8,7 @@ namespace hm {
 
 void set_exr_threads(unsigned threads) {
     if (threads == 0) threads = std::thread::hardware_concurrency();
-    // The caller of a file with a pool only waits for it.
+    // With a pool, the calling thread only waits.
     Imf::setGlobalThreadCount(threads > 1 ? int(threads) : 0);
 }
 

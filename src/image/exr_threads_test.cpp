@@ -1,4 +1,4 @@
-// The threads of OpenEXR's pool, as the system counts them.
+// The number of threads in OpenEXR's pool, counted by the system.
 #include "image/exr_threads.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Radiance pictures (G. Ward, "Real Pixels", Graphics Gems II, 1991; Radiance's filefmts.pdf): a
-// text header, then scan lines of shared-exponent pixels, flat or run-length coded in an old or a
-// new way.
+// text header, then scan lines of shared-exponent pixels: flat, or run-length encoded in the old or
+// the new format.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,18 +21,18 @@ namespace {
 
 using Rgbe = std::array<unsigned char, 4>;
 
-// New-style runs are defined for these widths only.
+// Widths for which new-style run-length encoding is defined.
 constexpr std::uint32_t kMinRunWidth = 8;
 constexpr std::uint32_t kMaxRunWidth = 32767;
 
 struct Header {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    std::array<float, 3> scale = {1.0f, 1.0f, 1.0f};  // stored value -> radiance
-    std::optional<Matrix3> to_rec709;                 // where the primaries are others
+    std::array<float, 3> scale = {1.0f, 1.0f, 1.0f};  // from stored values to radiance
+    std::optional<Matrix3> to_rec709;                 // unset if the primaries are Rec. 709
 };
 
-// Takes bytes from the front; past the end every take fails.
+// Consumes bytes from the front; fails past the end.
 class Cursor {
   public:
     explicit Cursor(Bytes bytes) : rest_(bytes) {}
@@ -50,7 +50,7 @@ class Cursor {
         rest_ = rest_.subspan(count);
         return true;
     }
-    // Up to the line feed, which is taken too.
+    // The text up to the line feed, which is consumed too.
     std::optional<std::string_view> line() {
         const auto end = std::find(rest_.begin(), rest_.end(), std::byte('\n'));
         if (end == rest_.end()) return std::nullopt;
@@ -70,9 +70,9 @@ tl::unexpected<Error> refuse(std::string_view name, std::string location, std::s
     return fail(kind, std::string(name), std::move(location), "HDR: " + std::move(message));
 }
 
-// The next number of `text`, which loses it and the blanks before it.
+// Consumes spaces and the next number of `text`.
 template <class T>
-std::optional<T> take_number(std::string_view& text) {
+std::optional<T> parse_number(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     T value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -81,7 +81,8 @@ std::optional<T> take_number(std::string_view& text) {
     return value;
 }
 
-// "-Y height +X width", rows from the top; the other seven orders are legal and unheard of.
+// "-Y height +X width": rows from the top. The other seven orders are legal, but not used in
+// practice.
 Result<void> parse_resolution(std::string_view line, std::string_view name, Header& header) {
     const bool other_order = line.starts_with("+X") || line.starts_with("-X") ||
                              line.starts_with("+Y") || line.find("-X") != line.npos;
@@ -91,10 +92,10 @@ Result<void> parse_resolution(std::string_view line, std::string_view name, Head
     std::string_view rest = line;
     if (rest.starts_with("-Y ")) {
         rest.remove_prefix(3);
-        const auto height = take_number<std::uint32_t>(rest);
+        const auto height = parse_number<std::uint32_t>(rest);
         if (height && rest.starts_with(" +X ")) {
             rest.remove_prefix(4);
-            const auto width = take_number<std::uint32_t>(rest);
+            const auto width = parse_number<std::uint32_t>(rest);
             if (width && rest.find_first_not_of(' ') == rest.npos) {
                 header.width = *width;
                 header.height = *height;
@@ -102,11 +103,11 @@ Result<void> parse_resolution(std::string_view line, std::string_view name, Head
             }
         }
     }
-    return refuse(name, "", fmt::format("\"{}\" is no resolution", line.substr(0, 60)));
+    return refuse(name, "", fmt::format("\"{}\" is not a resolution", line.substr(0, 60)));
 }
 
-// EXPOSURE and COLORCORR say what the values were multiplied by; several of them accumulate. Pixels
-// are RGB with the primaries of Rec. 709 unless PRIMARIES says otherwise, or XYZ.
+// Values are divided by all EXPOSURE and COLORCORR factors, which accumulate. Pixels are XYZ, or
+// RGB with the given PRIMARIES, by default those of Rec. 709.
 Result<void> parse_variable(std::string_view line, std::string_view name, Header& header) {
     const std::size_t equals = line.find('=');
     if (equals == line.npos) return {};
@@ -124,22 +125,22 @@ Result<void> parse_variable(std::string_view line, std::string_view name, Header
         const bool per_channel = key == "COLORCORR";
         std::optional<float> factor;
         for (std::size_t c = 0; c < 3; ++c) {
-            if (c == 0 || per_channel) factor = take_number<float>(value);
+            if (c == 0 || per_channel) factor = parse_number<float>(value);
             if (!factor || !std::isnormal(*factor) || *factor < 0.0f)
-                return refuse(name, "", fmt::format("bad {} in the header", key));
+                return refuse(name, "", fmt::format("invalid {} in the header", key));
             header.scale[c] /= *factor;
         }
     } else if (key == "PRIMARIES") {
         std::array<double, 8> xy{};
         for (double& number : xy)
-            number = take_number<double>(value).value_or(std::nan(""));
-        if (xy == std::array<double, 8>{}) return {};  // how Photoshop says that it knows none
+            number = parse_number<double>(value).value_or(std::nan(""));
+        if (xy == std::array<double, 8>{}) return {};  // Photoshop writes zeros if unknown
         const Chromaticities primaries = {
             {xy[0], xy[1]}, {xy[2], xy[3]}, {xy[4], xy[5]}, {xy[6], xy[7]}};
         if (is_rec709(primaries)) return {};
         header.to_rec709 = to_rec709(primaries);
         if (!header.to_rec709)
-            return refuse(name, "", fmt::format("bad PRIMARIES \"{}\"", line.substr(0, 60)));
+            return refuse(name, "", fmt::format("invalid PRIMARIES \"{}\"", line.substr(0, 60)));
     }
     return {};
 }
@@ -151,25 +152,25 @@ Result<Header> parse_header(Cursor& cursor, std::string_view name) {
         if (!line->starts_with('#')) HM_TRY(parse_variable(*line, name, header));
     }
     if (line) line = cursor.line();
-    if (!line) return refuse(name, "", "the header ends early");
+    if (!line) return refuse(name, "", "the header is truncated");
     HM_TRY(parse_resolution(*line, name, header));
     return header;
 }
 
-// New style: each of the four components by itself, as runs (count + 128, value) and literals.
-// Returns what is wrong, or null.
+// New-style run-length encoding: each of the four components separately, as runs (count + 128,
+// value) and literals. Returns an error message or null.
 const char* read_component_runs(Cursor& cursor, std::span<Rgbe> row) {
     for (std::size_t component = 0; component < 4; ++component) {
         for (std::size_t x = 0; x < row.size();) {
             const auto code = cursor.byte();
-            if (!code) return "ends early";
+            if (!code) return "is truncated";
             const bool run = *code > 128;
             const std::size_t count = run ? *code - 128u : *code;
-            if (count == 0 || count > row.size() - x) return "has a run of a wrong length";
+            if (count == 0 || count > row.size() - x) return "has a run of invalid length";
             std::optional<unsigned char> value;
             for (std::size_t i = 0; i < count; ++i) {
                 if (i == 0 || !run) value = cursor.byte();
-                if (!value) return "ends early";
+                if (!value) return "is truncated";
                 row[x++][component] = *value;
             }
         }
@@ -177,16 +178,16 @@ const char* read_component_runs(Cursor& cursor, std::span<Rgbe> row) {
     return nullptr;
 }
 
-// Flat pixels, where (1, 1, 1, n) repeats the pixel before n times; repeats in a row are the bytes
-// of one count, lowest first. `first` was read already.
+// Flat pixels with old-style runs: (1, 1, 1, n) repeats the previous pixel n times; consecutive
+// runs are the bytes of one count, least significant first. `first` is the pixel already read.
 const char* read_pixels(Cursor& cursor, Rgbe first, std::span<Rgbe> row) {
     unsigned shift = 0;
     Rgbe pixel = first;
     for (std::size_t x = 0; x < row.size();) {
         if (pixel[0] == 1 && pixel[1] == 1 && pixel[2] == 1) {
-            if (x == 0 || shift > 16) return "has a run that repeats nothing";
+            if (x == 0 || shift > 16) return "has a run without a pixel to repeat";
             const std::size_t count = std::size_t(pixel[3]) << shift;
-            if (count > row.size() - x) return "has a run of a wrong length";
+            if (count > row.size() - x) return "has a run of invalid length";
             std::fill_n(row.begin() + std::ptrdiff_t(x), count, row[x - 1]);
             x += count;
             shift += 8;
@@ -194,22 +195,22 @@ const char* read_pixels(Cursor& cursor, Rgbe first, std::span<Rgbe> row) {
             row[x++] = pixel;
             shift = 0;
         }
-        if (x < row.size() && !cursor.copy(pixel.data(), 4)) return "ends early";
+        if (x < row.size() && !cursor.copy(pixel.data(), 4)) return "is truncated";
     }
     return nullptr;
 }
 
 const char* read_row(Cursor& cursor, std::span<Rgbe> row) {
     Rgbe first{};
-    if (!cursor.copy(first.data(), 4)) return "ends early";
+    if (!cursor.copy(first.data(), 4)) return "is truncated";
     const bool may_run = row.size() >= kMinRunWidth && row.size() <= kMaxRunWidth;
     if (!may_run || first[0] != 2 || first[1] != 2 || first[2] >= 128)
         return read_pixels(cursor, first, row);
-    if (row.size() != std::size_t(first[2]) * 256 + first[3]) return "has a wrong width";
+    if (row.size() != std::size_t(first[2]) * 256 + first[3]) return "has the wrong width";
     return read_component_runs(cursor, row);
 }
 
-// 2^(exponent - 136): the mantissas are 0..255 over 256. Exponent 0 is black.
+// 2^(exponent - 136), as mantissas are in units of 1 / 256. Exponent 0 is black.
 std::array<float, 256> exponent_table() {
     std::array<float, 256> table{};
     for (int e = 1; e < 256; ++e)
@@ -223,7 +224,7 @@ Rgbe to_rgbe(const Rgba<float>& rgb) {
     if (largest == 0.0f) return {0, 0, 0, 0};
     int exponent = 0;
     std::frexp(largest, &exponent);
-    // 255.5 and more would round to 256, which needs the next exponent.
+    // 255.5 and above would round to 256, which requires the next exponent.
     if (std::ldexp(largest, 8 - exponent) >= 255.5f) ++exponent;
     if (exponent < -127) return {0, 0, 0, 0};
     exponent = std::min(exponent, 127);
@@ -239,7 +240,7 @@ void append(std::vector<std::byte>& out, std::initializer_list<std::size_t> valu
         out.push_back(std::byte(value));
 }
 
-// Runs of at least four are worth their two bytes, even between literals.
+// Runs shorter than 4 are stored as literals.
 void append_component_runs(std::vector<std::byte>& out, std::span<const Rgbe> row,
                            std::size_t component) {
     const auto value = [&](std::size_t x) { return row[x][component]; };
@@ -275,13 +276,13 @@ Result<FloatImage> decode_hdr(Bytes bytes, std::string_view name, ReadWarnings& 
     Cursor cursor(bytes);
     HM_TRY_ASSIGN(const Header header, parse_header(cursor, name));
     HM_TRY(check_image_size(header.width, header.height, name));
-    // Every scan line begins with four bytes, however it is coded.
+    // Every scan line has at least four bytes in any encoding.
     if (cursor.left() / 4 < header.height)
         return refuse(name, "",
                       fmt::format("{} bytes are too few for {} x {} pixels", cursor.left(),
                                   header.width, header.height));
 
-    // Grown row by row: a truncated picture takes no memory for the rest.
+    // Grows row by row, so that a truncated file does not commit memory for missing rows.
     FloatImage image;
     image.width = header.width;
     image.height = header.height;

@@ -1,4 +1,4 @@
-// Radiance HDR: known bytes give known values, in each of the three codings.
+// Radiance HDR: known bytes decode to known values in each of the three encodings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ TEST(Hdr, ExposureAndColourCorrectionDivide) {
     expect_rgb(image, 0, 1.0f, 2.0f, 0.5f);  // 8 / (2 * 4), then the channels
 }
 
-// Radiance's XYZ has an equal-energy white: equal values are grey.
+// Radiance's XYZ has an equal-energy white point, so equal values are grey.
 TEST(Hdr, OtherColourSpacesAreConverted) {
     const auto pixel = [](const std::string& variable, std::initializer_list<unsigned> stored) {
         const FloatImage image =
@@ -69,8 +69,8 @@ TEST(Hdr, OtherColourSpacesAreConverted) {
 }
 
 TEST(Hdr, OldRuns) {
-    // A pixel, three more of it, another, and 1 + 0 * 256 of that in two repeats that build one
-    // count.
+    // A pixel, three repeats of it, another pixel, and 1 + 0 * 256 repeats of that, a count in two
+    // bytes.
     const FloatImage image =
         read_whole<float>(file(kHeader8x1, {128, 0, 0, 129, 1, 1, 1, 3, 0,   128, 0, 129, 1, 1,
                                             1,   1, 1, 1,   1, 0, 0, 0, 128, 129, 1, 1,   1, 1}));
@@ -108,10 +108,11 @@ TEST(Hdr, BrokenFilesAreRefused) {
         EXPECT_EQ(image.error().kind, kind);
         EXPECT_NE(image.error().line().find(why), std::string::npos) << image.error().line();
     };
-    expect_refusal(file("#?RADIANCE\n\n", {}), "ends early");
-    expect_refusal(file("#?RADIANCE\n\n-Y 1 +X two\n", {1, 2, 3, 4}), "is no resolution");
-    expect_refusal(file("#?RADIANCE\n\n-Y 1 +X 2 junk\n", {1, 2, 3, 4}), "is no resolution");
-    expect_refusal(file("#?RADIANCE\n\n-Y 1 +X 99999999999\n", {1, 2, 3, 4}), "is no resolution");
+    expect_refusal(file("#?RADIANCE\n\n", {}), "truncated");
+    expect_refusal(file("#?RADIANCE\n\n-Y 1 +X two\n", {1, 2, 3, 4}), "is not a resolution");
+    expect_refusal(file("#?RADIANCE\n\n-Y 1 +X 2 junk\n", {1, 2, 3, 4}), "is not a resolution");
+    expect_refusal(file("#?RADIANCE\n\n-Y 1 +X 99999999999\n", {1, 2, 3, 4}),
+                   "is not a resolution");
     expect_refusal(file("#?RADIANCE\n\n+Y 1 +X 1\n", {1, 2, 3, 4}), "pixel order",
                    ErrorKind::unsupported);
     expect_refusal(file("#?RADIANCE\n\n+X 1 -Y 1\n", {1, 2, 3, 4}), "pixel order",
@@ -121,21 +122,21 @@ TEST(Hdr, BrokenFilesAreRefused) {
     expect_refusal(file("#?RADIANCE\nPRIMARIES=0 0 0 0\n\n-Y 1 +X 1\n", {1, 2, 3, 4}), "PRIMARIES");
     expect_refusal(file("#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\n", {1, 2, 3, 4}), "EXPOSURE");
     expect_refusal(file("#?RADIANCE\n\n-Y 0 +X 1\n", {}), "no pixels");
-    expect_refusal(file("#?RADIANCE\n\n-Y 65536 +X 65536\n", {1, 2, 3, 4}), "in all");
-    expect_refusal(file("#?RADIANCE\n\n-Y 65537 +X 1\n", {1, 2, 3, 4}), "a side");
+    expect_refusal(file("#?RADIANCE\n\n-Y 65536 +X 65536\n", {1, 2, 3, 4}), "in total");
+    expect_refusal(file("#?RADIANCE\n\n-Y 65537 +X 1\n", {1, 2, 3, 4}), "per side");
     expect_refusal(file("#?RADIANCE\n\n-Y 4096 +X 65536\n", {1, 2, 3, 4}), "too few");
-    expect_refusal(file(kHeader2x1, {1, 1, 1, 1, 5, 5, 5, 5}), "row 0");  // repeats nothing
-    expect_refusal(file(kHeader2x1, {9, 9, 9, 9, 1, 1, 1, 2}), "row 0");  // too long a repeat
+    expect_refusal(file(kHeader2x1, {1, 1, 1, 1, 5, 5, 5, 5}), "row 0");  // no pixel to repeat
+    expect_refusal(file(kHeader2x1, {9, 9, 9, 9, 1, 1, 1, 2}), "row 0");  // run too long
     expect_refusal(file(kHeader8x1, {2, 2, 0, 9, 136, 1}), "wrong width");
-    expect_refusal(file(kHeader8x1, {2, 2, 0, 8, 137, 1}), "wrong length");  // too long a run
-    expect_refusal(file(kHeader8x1, {2, 2, 0, 8, 0, 1}), "wrong length");    // an empty literal
+    expect_refusal(file(kHeader8x1, {2, 2, 0, 8, 137, 1}), "invalid length");  // run too long
+    expect_refusal(file(kHeader8x1, {2, 2, 0, 8, 0, 1}), "invalid length");    // empty literal
 }
 
 FloatImage noise(std::uint32_t width, std::uint32_t height) {
     FloatImage image(width, height);
     std::mt19937 random(7);
     for (std::size_t i = 0; i < std::size_t(width) * height; ++i) {
-        const bool flat = (i / 5) % 3 == 0;  // gives the writer runs, short ones and literals
+        const bool flat = (i / 5) % 3 == 0;  // runs, short runs and literals
         for (std::size_t c = 0; c < 3; ++c) {
             const int exponent = int(random() % 40) - 20;
             const float value = std::ldexp(float(random() % 1000) / 1000.0f, exponent);
@@ -158,7 +159,7 @@ TEST(Hdr, WrittenIsReadAgain) {
             float largest = 0.0f;
             for (std::size_t c = 0; c < 3; ++c)
                 largest = std::max(largest, image.pixels[i][c]);
-            // Half a step of a mantissa of 128 or more.
+            // Half a step of a mantissa of at least 128.
             for (std::size_t c = 0; c < 3; ++c)
                 ASSERT_NEAR(again.pixels[i][c], image.pixels[i][c], largest / 256.0f);
         }
@@ -177,7 +178,7 @@ TEST(Hdr, WriterTakesAnyFloat) {
     const FloatImage again = read_whole<float>(encode_hdr(image));
     EXPECT_NEAR(again.pixels[0][0], 65504.0f, 256.0f);
     expect_rgb(again, 1, 0, 0, 2);
-    EXPECT_GT(again.pixels[2][0], 1.6e38f);  // the format's largest is 255 * 2^119
+    EXPECT_GT(again.pixels[2][0], 1.6e38f);  // the maximum of the format is 255 * 2^119
     expect_rgb(again, 3, 0, 0, 0);
     expect_rgb(again, 4, 1, 0, 0.5f);
     expect_rgb(again, 5, 0, 0, 0);

@@ -1,4 +1,4 @@
-// Pictures in memory: four channels, rows from the top, no padding between rows.
+// Images in memory: four channels, rows from top to bottom, no padding.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ template <class T>
 struct ImageOf {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    std::vector<Rgba<T>> pixels;  // width * height of them
+    std::vector<Rgba<T>> pixels;  // width * height
 
     ImageOf() = default;
     // All channels zero.
@@ -27,17 +27,17 @@ struct ImageOf {
 };
 
 using FloatImage = ImageOf<float>;       // linear
-using Image8 = ImageOf<std::uint8_t>;    // 0..255 meaning 0..1
-using Image16 = ImageOf<std::uint16_t>;  // 0..65535 meaning 0..1
+using Image8 = ImageOf<std::uint8_t>;    // 0..255 represents 0..1
+using Image16 = ImageOf<std::uint16_t>;  // 0..65535 represents 0..1
 
-// How a texture's pixels are stored.
+// Storage format of texture pixels.
 enum class PixelFormat : std::uint32_t { rgba8 = 0, rgba16 = 1 };
 
 constexpr std::size_t bytes_per_pixel(PixelFormat format) {
     return format == PixelFormat::rgba8 ? sizeof(Rgba<std::uint8_t>) : sizeof(Rgba<std::uint16_t>);
 }
 
-// A picture as PNG and JPEG store it: values with their encoding, mostly sRGB.
+// An image as stored in PNG and JPEG: encoded values, usually sRGB.
 class TextureImage {
   public:
     TextureImage() = default;
@@ -59,10 +59,10 @@ class TextureImage {
     const std::variant<Image8, Image16>& image() const { return image_; }
 
   private:
-    std::variant<Image8, Image16> image_;  // in PixelFormat's order
+    std::variant<Image8, Image16> image_;  // in the order of PixelFormat
 };
 
-// Any picture file's content.
+// The content of any image file.
 using AnyImage = std::variant<TextureImage, FloatImage>;
 
 }  // namespace hm

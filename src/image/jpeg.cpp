@@ -1,5 +1,5 @@
-// JPEG through libjpeg-turbo. The library reports failures by calling back; the callback jumps out
-// (longjmp), so every call into it goes through `guarded`, whose frames own nothing.
+// Reads JPEG with libjpeg-turbo. Its error callback leaves the library by longjmp, so all calls
+// into it go through `guarded`, whose stack frames own no resources.
 #include <fmt/format.h>
 
 #include <csetjmp>
@@ -10,7 +10,7 @@
 #include <utility>
 
 #include <jpeglib.h>
-// jpeglib.h has to come first.
+// must follow jpeglib.h
 #include <jerror.h>
 
 #include "image/codecs.h"
@@ -18,8 +18,8 @@
 namespace hm {
 namespace {
 
-// A progressive file may hold any number of scans, each of which costs a pass over the whole
-// picture; real ones have about ten.
+// A progressive file may have any number of scans, each of which costs a pass over the whole
+// picture; real files have about ten.
 constexpr int kMaxScans = 200;
 
 class Decoder {
@@ -32,7 +32,7 @@ class Decoder {
     bool read_header(Bytes bytes);
     bool start(J_COLOR_SPACE space);
     bool read_row(Rgba<std::uint8_t>* row);
-    bool finish();  // reads to the end mark
+    bool finish();  // reads up to the end marker
 
     const jpeg_decompress_struct& info() const { return info_; }
     const char* message() const { return message_; }
@@ -62,8 +62,8 @@ void Decoder::on_error(j_common_ptr common) {
     std::longjmp(self->failed_, 1);
 }
 
-// libjpeg warns and goes on with grey where data is missing or damaged; here that is an error.
-// Negative levels are warnings, the others are chatter.
+// If data is missing or damaged, libjpeg warns and continues with grey; here that is an error.
+// Negative levels are warnings, others are trace messages.
 void Decoder::on_message(j_common_ptr common, int level) {
     if (level >= 0) return;
     switch (common->err->msg_code) {
@@ -114,10 +114,10 @@ bool Decoder::finish() {
     return guarded([&] { jpeg_finish_decompress(&info_); });
 }
 
-// In place. Adobe's programs store the inks inverted; their marker identifies such files.
+// Converts in place. Adobe programs store inverted CMYK; their marker identifies such files.
 void cmyk_to_rgba(std::span<Rgba<std::uint8_t>> pixels, bool inverted) {
     for (Rgba<std::uint8_t>& pixel : pixels) {
-        const auto transmitted = [&](std::size_t c) {  // light that passes the ink, 0..255
+        const auto transmitted = [&](std::size_t c) {  // transmittance of the ink, 0..255
             return inverted ? unsigned(pixel[c]) : 255u - pixel[c];
         };
         const unsigned key = transmitted(3);
@@ -139,8 +139,8 @@ Result<TextureImage> decode_jpeg(Bytes bytes, std::string_view name) {
     const jpeg_decompress_struct& info = decoder.info();
     HM_TRY(check_image_size(info.image_width, info.image_height, name));
 
-    // The least a Huffman coded picture can take is one bit for the mean of every 8 x 8 block, with
-    // at most 4 x 4 pixels to a sample.
+    // Minimum size with Huffman coding: one bit for the DC value of every 8 x 8 block, with at most
+    // 4 x 4 pixels per sample.
     const std::uint64_t pixels = std::uint64_t(info.image_width) * info.image_height;
     if (info.arith_code == FALSE && pixels / (8 * 64 * 16) > bytes.size())
         return refuse(name, fmt::format("{} bytes are too few for {} x {} pixels", bytes.size(),
@@ -153,7 +153,7 @@ Result<TextureImage> decode_jpeg(Bytes bytes, std::string_view name) {
                       fmt::format("unknown colour space with {} components", info.num_components));
     if (!decoder.start(cmyk ? JCS_CMYK : JCS_EXT_RGBA)) return refuse(name, decoder.message());
 
-    // Grown row by row: a truncated picture takes no memory for the rest.
+    // Grows row by row, so that a truncated file does not commit memory for missing rows.
     Image8 image;
     image.width = info.image_width;
     image.height = info.image_height;

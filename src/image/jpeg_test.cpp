@@ -1,4 +1,4 @@
-// JPEG: pictures made with libjpeg in each colour space come back near what went in.
+// JPEG: images encoded by libjpeg in each colour space decode to nearly the same values.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,10 +19,10 @@ struct JpegOptions {
     J_COLOR_SPACE in = JCS_RGB;
     J_COLOR_SPACE stored = JCS_YCbCr;
     bool progressive = false;
-    bool adobe = true;  // whether the marker is written where libjpeg would
+    bool adobe = true;  // write the Adobe marker where libjpeg does by default
 };
 
-// `samples` holds the components of options.in, row by row. Quality 100.
+// `samples` are the components of options.in, row by row. Quality 100.
 std::vector<std::byte> encode(std::uint32_t width, std::uint32_t height,
                               std::vector<unsigned char> samples, const JpegOptions& options) {
     jpeg_compress_struct info{};
@@ -55,8 +55,8 @@ std::vector<std::byte> encode(std::uint32_t width, std::uint32_t height,
     return bytes;
 }
 
-// One colour over 16 x 16 pixels: at quality 100 a flat block comes back within rounding (1 for the
-// colour conversion, 1 for the mean's quantisation).
+// A single colour over 16 x 16 pixels: at quality 100 a flat block is exact up to rounding (1 for
+// the colour conversion, 1 for the quantization of DC).
 void expect_flat(const std::vector<unsigned char>& pixel, const JpegOptions& options,
                  const std::array<int, 3>& expected) {
     std::vector<unsigned char> samples;
@@ -81,10 +81,10 @@ TEST(Jpeg, ColourSpaces) {
 }
 
 TEST(Jpeg, Inks) {
-    // Adobe's marker: 255 is no ink. 200 * 128 / 255 = 100.4, 100 * 128 / 255 = 50.2.
+    // With Adobe's marker 255 is no ink: 200 * 128 / 255 = 100.4, 100 * 128 / 255 = 50.2.
     expect_flat({200, 100, 255, 128}, {JCS_CMYK, JCS_CMYK}, {100, 50, 128});
     expect_flat({200, 100, 255, 128}, {JCS_CMYK, JCS_YCCK}, {100, 50, 128});
-    // Without it 255 is full ink: the other way round.
+    // Without it 255 is full ink.
     expect_flat({55, 155, 0, 127}, {JCS_CMYK, JCS_CMYK, false, false}, {100, 50, 128});
 }
 
@@ -101,7 +101,7 @@ TEST(Jpeg, RowsAreInOrder) {
     const Image8 image = read_whole<std::uint8_t>(textured(false));
     ASSERT_EQ(image.width, 40u);
     ASSERT_EQ(image.height, 24u);
-    // Chroma has half the resolution here: compare luma at the corners of the gradient only.
+    // Chroma is subsampled here: compare luma at the corners of the gradient only.
     EXPECT_LT(image.pixels[0][0], 40);
     EXPECT_GT(image.pixels[39][0], 190);
     EXPECT_GT(image.pixels[23 * 40][1], 180);
@@ -134,7 +134,7 @@ TEST(Jpeg, HeaderThatLiesIsRefused) {
         EXPECT_EQ(image.error().kind, ErrorKind::invalid);
         EXPECT_NE(image.error().message.find(why), std::string::npos) << image.error().line();
     };
-    refused(with_size(65500, 65500), "in all");
+    refused(with_size(65500, 65500), "in total");
     refused(with_size(65535, 65535), "");
     refused(with_size(65500, 4000), "too few");
     refused(with_size(40, 240), "remature end");
@@ -142,7 +142,7 @@ TEST(Jpeg, HeaderThatLiesIsRefused) {
 }
 
 TEST(Jpeg, TooManyScansAreRefused) {
-    // The last scan of a progressive file, repeated: legal in form, and each costs a whole pass.
+    // The last scan of a progressive file, repeated: well-formed, but each costs a whole pass.
     auto bytes = textured(true);
     std::size_t last = bytes.size();
     for (std::size_t i = 0; i + 1 < bytes.size(); ++i)

@@ -1,5 +1,5 @@
-// Layers: what is written comes back, channel for channel, whatever the compression; and the files
-// are what OpenEXR's own library says they are.
+// Layers: round trips of every channel with every compression, also checked with the OpenEXR
+// library.
 #include "image/layers.h"
 
 #include <ImfChannelList.h>
@@ -23,7 +23,7 @@ namespace {
 
 using namespace testing_images;
 
-// Pixel (x, y) of channel n is x + 100 y + 0.25 n, over a part of a larger picture.
+// Pixel (x, y) of channel n is x + 100 y + 0.25 n; the data window is a part of the display window.
 LayeredImage test_picture() {
     LayeredImage picture;
     picture.data = {5, 7, 42, 30};
@@ -83,8 +83,8 @@ TEST(LayeredImage, WrittenAreReadAgain) {
         }
 }
 
-// Infinity, a NaN with a payload, and values that half can't hold, in channels whose names DWA
-// takes for colours.
+// Infinity, a NaN with a payload, and values outside the range of half, in channels whose names DWA
+// treats as colours.
 TEST(LayeredImage, LossyCompressionsTouchTheBeautyAlone) {
     const Folder folder;
     LayeredImage picture = test_picture();
@@ -123,7 +123,7 @@ TEST(LayeredImage, LossyCompressionsTouchTheBeautyAlone) {
         }
 }
 
-// What another program stored comes back: integers of 32 bits, attributes of every kind.
+// Files of other programs: 32-bit integers and attributes of all types are preserved.
 TEST(LayeredImage, ForeignAttributesAndIntegersAreKept) {
     const Folder folder;
     const Imath::Box2i window({0, 0}, {1, 0});
@@ -188,7 +188,7 @@ TEST(LayeredImage, HalfChannels) {
     EXPECT_NE(blue.values[0], 1.0f / 3.0f);
     EXPECT_EQ(blue.values[1], 65504.0f);
     EXPECT_EQ(blue.values[2], -std::numeric_limits<float>::infinity());
-    EXPECT_EQ(blue.values[5], channel.values[5]);  // a small multiple of a quarter
+    EXPECT_EQ(blue.values[5], channel.values[5]);  // a small multiple of 0.25, exact in half
 }
 
 TEST(LayeredImage, ChannelNamesInTheFile) {

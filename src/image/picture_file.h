@@ -1,4 +1,4 @@
-// Any picture file as layers.
+// Reads image files of any format as layers.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,13 @@ namespace hm {
 
 struct PictureFile {
     LayeredImage picture;
-    // sRGB in [0, 1], as PNG and JPEG have it, with what is transparent over black; else linear.
+    // PNG and JPEG: sRGB in [0, 1], composited over black. Otherwise linear.
     bool encoded = false;
     ReadWarnings warnings;
 };
 
-// OpenEXR with all its layers; Radiance, PNG and JPEG as one. Fails as read_image and read_layers.
+// OpenEXR with all layers; Radiance, PNG and JPEG as a single one. Fails like read_image and
+// read_layers.
 Result<PictureFile> read_picture_file(const std::filesystem::path& path);
 
 }  // namespace hm

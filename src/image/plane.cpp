@@ -47,7 +47,7 @@ Plane filter_rows(const Plane& plane, const Kernel& kernel) {
     const std::size_t radius = kernel.size() / 2, width = plane.width;
     tbb::parallel_for(std::size_t(0), std::size_t(plane.height), [&](std::size_t y) {
         const float* const row = plane.values.data() + y * width;
-        // A copy with the edges drawn out, so that the loop over pixels has no branches.
+        // A copy padded with edge pixels, so that the loop over pixels has no branches.
         std::vector<float> wide(width + 2 * radius);
         std::fill_n(wide.begin(), radius, row[0]);
         std::copy_n(row, width, wide.begin() + std::ptrdiff_t(radius));

@@ -1,4 +1,4 @@
-// One number per pixel: what metrics work on and error maps are made of.
+// Single-channel images, for metrics and error maps.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace hm {
 struct Plane {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    std::vector<float> values;  // rows from the top
+    std::vector<float> values;  // rows from top to bottom
 
     Plane() = default;
     Plane(std::uint32_t w, std::uint32_t h) : width(w), height(h), values(std::size_t(w) * h) {}
@@ -23,16 +23,16 @@ std::array<Plane, 3> color_planes(const FloatImage& image);
 
 double mean(const Plane& plane);
 
-// One-dimensional kernel with its middle at values[values.size() / 2].
+// One-dimensional kernel, centred at index size() / 2.
 using Kernel = std::vector<float>;
 
-// How far a Gaussian's kernel reaches: three sigmas, whole pixels.
+// Radius of a Gaussian kernel: three sigmas, rounded up to whole pixels.
 int gaussian_radius(double sigma);
-// Samples of exp(-x² / 2 sigma²) at the pixels from -radius to radius, with sum 1.
+// exp(-x² / 2 sigma²) sampled at the integers from -radius to radius, normalized to sum 1.
 Kernel gaussian_kernel(double sigma, int radius);
 
-// Convolution along one axis; beyond an edge the pixel at the edge goes on. The kernel is laid over
-// the picture, not turned round: values[middle + k] weighs the pixel k further on.
+// Correlation along one axis with edge pixels repeated: kernel[middle + k] weights the pixel at
+// offset k.
 Plane filter_rows(const Plane& plane, const Kernel& kernel);
 Plane filter_columns(const Plane& plane, const Kernel& kernel);
 

@@ -11,7 +11,7 @@ namespace {
 TEST(Plane, FiltersCarryTheEdgesOn) {
     Plane plane(3, 2);
     plane.values = {1, 2, 4, 10, 20, 40};
-    // 1 for the pixel before, 10 for the pixel itself, 100 for the one after.
+    // Weights: 1 for the previous pixel, 10 for the pixel itself, 100 for the next.
     const Kernel kernel = {1, 10, 100};
     EXPECT_EQ(filter_rows(plane, kernel).values,
               (std::vector<float>{211, 421, 442, 2110, 4210, 4420}));

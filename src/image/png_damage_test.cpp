@@ -1,4 +1,4 @@
-// PNG files that are cut, damaged, or hold more than their pixels.
+// PNG files that are truncated, damaged, or have trailing data.
 #include <gtest/gtest.h>
 
 #include "image/read.h"
@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing_images;
 
-// What libpng and browsers show, they show with a warning; so does this reader.
+// Files that libpng and browsers display are read with a warning.
 TEST(Png, SurplusIsAWarning) {
     const Image8 image = gradient(16, 9);
     const auto whole = encode_png(image, true, {});
@@ -26,7 +26,7 @@ TEST(Png, SurplusIsAWarning) {
     after_end.resize(after_end.size() + 64);
     read(after_end, 0);
 
-    // Once more the whole stream: bytes after it within IDAT, then rows too many.
+    // The whole stream twice: trailing bytes in IDAT, then too many rows.
     Bytes rest = Bytes(*whole).subspan(8);
     std::vector<std::byte> stream, start(whole->begin(), whole->begin() + 33);
     for (; rest.size() >= 12;) {
@@ -50,7 +50,7 @@ TEST(Png, SurplusIsAWarning) {
     read(file(longer), 1);
 }
 
-// A first chunk that is not IHDR made the reader take other bytes for the colour type.
+// Regression: with a first chunk other than IHDR, the colour type was read from other bytes.
 TEST(Png, HeaderComesFirst) {
     const auto bytes = encode_png(gradient(4, 4), true, {});
     ASSERT_TRUE(bytes);
@@ -61,23 +61,23 @@ TEST(Png, HeaderComesFirst) {
         late.insert(late.end(), bytes->begin() + 8, bytes->end());
         const auto image = read_image(late, "late");
         ASSERT_FALSE(image);
-        EXPECT_EQ(image.error().line(), "late: PNG: bad header");
+        EXPECT_EQ(image.error().line(), "late: PNG: invalid IHDR chunk");
     }
 }
 
-// Damage is refused, or costs no pixel and is a warning.
+// Damaged files are rejected, or are read with a warning if no pixel is affected.
 TEST(Png, CutOrDamagedNeverChangesAPixel) {
     const Image8 image = gradient(16, 9);
     const auto bytes = encode_png(image, true, {{"a", "b"}});
     ASSERT_TRUE(bytes);
-    constexpr std::size_t kPixels = 61;  // where IDAT begins: after IHDR, sRGB and tEXt
+    constexpr std::size_t kPixels = 61;  // offset of IDAT, after IHDR, sRGB and tEXt
     int drawn = 0;
     const auto check = [&](Bytes damaged, std::size_t at) {
         ReadWarnings warnings;
         const auto read = read_texture_image(damaged, "damaged", warnings);
         if (!read) return;
         ++drawn;
-        // The decoder skips ancillary chunks unseen.
+        // The decoder skips ancillary chunks without checking them.
         EXPECT_EQ(warnings.size(), at < kPixels ? 0u : 1u) << "byte " << at;
         EXPECT_EQ(std::get<Image8>(read->image()).pixels, image.pixels) << "byte " << at;
     };
@@ -87,7 +87,7 @@ TEST(Png, CutOrDamagedNeverChangesAPixel) {
         damaged[i] ^= std::byte(0x10);
         check(damaged, i);
     }
-    // sRGB and tEXt but for their lengths, and every cut in IEND.
+    // sRGB and tEXt except their lengths, and every truncation of IEND.
     EXPECT_GE(drawn, 9 + 11 + 12);
 }
 
@@ -110,9 +110,9 @@ TEST(Png, HeaderThatLiesIsRefused) {
         EXPECT_EQ(image.error().kind, ErrorKind::invalid);
         EXPECT_NE(image.error().message.find(why), std::string::npos) << image.error().line();
     };
-    expect_refusal(65536, 65536, "in all");
-    expect_refusal(65537, 1, "a side");
-    expect_refusal(1u << 20, 1, "a side");
+    expect_refusal(65536, 65536, "in total");
+    expect_refusal(65537, 1, "per side");
+    expect_refusal(1u << 20, 1, "per side");
     expect_refusal(0x7FFFFFFF, 0x7FFFFFFF, "");
     expect_refusal(65536, 4096, "too few");
     expect_refusal(16, 10, "");

@@ -1,6 +1,6 @@
-// Reading PNG through libspng where Wuffs refuses the file. As libpng and browsers do, it discards
-// ancillary chunks with a bad checksum and ignores data after the last row and after IEND. A
-// critical chunk with a bad checksum or too few rows still are errors.
+// Reads PNG files that Wuffs rejects with libspng. Like libpng and browsers, it discards ancillary
+// chunks with a bad checksum and ignores data after the last row and after IEND. Bad checksums of
+// critical chunks and missing rows are still errors.
 #include <spng.h>
 
 #include <fmt/format.h>

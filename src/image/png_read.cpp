@@ -1,5 +1,5 @@
-// Reading PNG through Wuffs (W3C, Portable Network Graphics, third edition). It is two to three
-// times as fast as libspng (docs/decisions/0011-png-by-wuffs.md).
+// Reads PNG with Wuffs (W3C, Portable Network Graphics, third edition), which is two to three times
+// as fast as libspng (docs/decisions/0011-png-by-wuffs.md).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ tl::unexpected<Error> refuse(std::string_view name, std::string message) {
     return fail(ErrorKind::invalid, std::string(name), "", "PNG: " + std::move(message));
 }
 
-// Wuffs says "#png: bad checksum", "#deflate: bad distance".
+// Wuffs' messages are like "#png: bad checksum", "#deflate: bad distance".
 tl::unexpected<Error> refuse(std::string_view name, wuffs_base__status status) {
     std::string_view message = status.message();
     if (message.starts_with("png: ")) message.remove_prefix(5);
@@ -35,7 +35,7 @@ wuffs_base__slice_u8 slice(std::span<std::byte> bytes) {
     return wuffs_base__make_slice_u8(reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size());
 }
 
-// Wuffs has no slices of constant bytes.
+// Wuffs has no const slices.
 wuffs_base__slice_u8 read_only(Bytes bytes) {
     auto* first = reinterpret_cast<std::uint8_t*>(const_cast<std::byte*>(bytes.data()));
     return wuffs_base__make_slice_u8(first, bytes.size());
@@ -57,7 +57,7 @@ std::string_view chunk_type(Bytes chunk) {
     return {reinterpret_cast<const char*>(chunk.data()) + 4, 4};
 }
 
-// Takes the first chunk off `rest`; nothing at the end or where the chunk is truncated.
+// Removes the first chunk from `rest`; nullopt at the end or if the chunk is truncated.
 std::optional<Chunk> next_chunk(Bytes& rest) {
     constexpr std::size_t kFrame = 12;  // length, type, checksum
     if (rest.size() < kFrame) return std::nullopt;
@@ -66,34 +66,34 @@ std::optional<Chunk> next_chunk(Bytes& rest) {
     const Bytes summed = rest.subspan(4, 4 + length);
     const std::string_view type = chunk_type(rest);
     Chunk chunk{type, summed.subspan(4), true};
-    if (type != "IDAT")  // these are large, and the decoder checks them
+    if (type != "IDAT")  // large, and checked by the decoder
         chunk.intact = checksum(summed) == big_endian(rest.subspan(8 + length, 4));
     rest = rest.subspan(kFrame + length);
     return chunk;
 }
 
-// What is needed before decoding, and what the decoder does not report.
+// Information needed before decoding, or not reported by the decoder.
 struct Header {
     std::uint64_t width = 0, height = 0;
     std::uint64_t depth = 0;
     std::uint64_t color_type = 0;
     Bytes transparent;  // the contents of tRNS
     bool animated = false;
-    bool intact = true;  // tRNS, whose checksum the decoder ignores
+    bool intact = true;  // checksum of tRNS, which the decoder ignores
 };
 
 constexpr std::uint64_t kGrey = 0, kTruecolour = 2;
 constexpr std::size_t kSignatureBytes = 8;
 
-constexpr std::uint64_t kChannels[] = {1, 0, 3, 1, 2, 0, 4};  // by colour type; 0: there is none
+constexpr std::uint64_t kChannels[] = {1, 0, 3, 1, 2, 0, 4};  // by colour type; 0: invalid type
 
-// Fails where IHDR is missing, damaged or asks for too much memory; leaves other faults to the
+// Fails if IHDR is missing, damaged or requires too much memory; other faults are left to the
 // decoder.
 Result<Header> read_header(Bytes png, std::string_view name) {
     Bytes rest = png.subspan(std::min(png.size(), kSignatureBytes));
     const std::optional<Chunk> first = next_chunk(rest);
     if (!first || first->type != "IHDR" || first->data.size() != 13 || !first->intact)
-        return refuse(name, "bad header");
+        return refuse(name, "invalid IHDR chunk");
     Header header;
     header.width = big_endian(first->data.subspan(0, 4));
     header.height = big_endian(first->data.subspan(4, 4));
@@ -101,9 +101,9 @@ Result<Header> read_header(Bytes png, std::string_view name) {
     header.color_type = big_endian(first->data.subspan(9, 1));
     if (header.color_type >= std::size(kChannels) || kChannels[header.color_type] == 0 ||
         header.depth > 16)
-        return refuse(name, "bad header");
+        return refuse(name, "invalid IHDR chunk");
     HM_TRY(check_image_size(header.width, header.height, name));
-    // Deflate turns one byte into at most 1032 (two bits for a run of 258).
+    // Deflate expands a byte to at most 1032 (two bits for a run of 258).
     const std::uint64_t bits = kChannels[header.color_type] * header.depth;
     if (header.width * header.height * bits / 8 > png.size() * 1032)
         return refuse(name, fmt::format("{} bytes are too few for {} x {} pixels", png.size(),
@@ -119,7 +119,7 @@ Result<Header> read_header(Bytes png, std::string_view name) {
     return header;
 }
 
-// Whether every chunk that a picture needs has its checksum; IEND itself may be missing.
+// Whether the checksums of all critical chunks are correct; IEND may be missing.
 bool critical_chunks_intact(Bytes png) {
     Bytes rest = png.subspan(kSignatureBytes), before = rest;
     while (const std::optional<Chunk> chunk = next_chunk(rest)) {
@@ -134,8 +134,8 @@ bool critical_chunks_intact(Bytes png) {
     return rest.size() < 8 || (rest.size() <= kEmptyChunk && chunk_type(rest) == "IEND");
 }
 
-// The file without the chunks of its animation. A texture is the still picture, which need not be
-// the animation's first frame, and the decoder would return that one.
+// The file without its animation chunks. Textures use the still image, which may differ from the
+// first animation frame, which the decoder would return.
 std::vector<std::byte> without_animation(Bytes png) {
     std::vector<std::byte> still(png.begin(), png.begin() + kSignatureBytes);
     Bytes rest = png.subspan(kSignatureBytes), chunk_and_rest = rest;
@@ -149,8 +149,8 @@ std::vector<std::byte> without_animation(Bytes png) {
     return still;
 }
 
-// The decoder writes black where a pixel has the one colour that tRNS makes transparent, but
-// materials may ignore alpha.
+// The decoder writes black for pixels of the colour that tRNS makes transparent, but materials may
+// ignore alpha.
 template <class T>
 void restore_transparent_colour(const Header& header, ImageOf<T>& image) {
     const bool grey = header.color_type == kGrey;
@@ -166,13 +166,13 @@ void restore_transparent_colour(const Header& header, ImageOf<T>& image) {
         if (pixel[3] == 0) std::copy(color, color + 3, pixel.begin());
 }
 
-// Decodes the picture, then reads on to the end of the file to know that it is whole.
+// Decodes the image, then reads to the end of the file to check that it is complete.
 template <class T>
 Result<ImageOf<T>> decode_pixels(wuffs_png__decoder& decoder, wuffs_base__io_buffer& source,
                                  wuffs_base__image_config config, std::uint32_t format,
                                  std::string_view name) {
     ImageOf<T> image(config.pixcfg.width(), config.pixcfg.height());
-    // The decoder keeps all rows as stored until it writes pixels.
+    // Work buffer: the decoder keeps all filtered rows until it writes pixels.
     ByteArray stored(decoder.workbuf_len().min_incl);
     config.pixcfg.set(format, WUFFS_BASE__PIXEL_SUBSAMPLING__NONE, image.width, image.height);
     wuffs_base__pixel_buffer pixels{};
@@ -202,7 +202,7 @@ Result<TextureImage> decode(Bytes bytes, const Header& header, std::string_view 
     if (!status.is_ok()) return refuse(name, status);
 
     if (header.depth == 16) {
-        // Of 16 bits the decoder writes no other order.
+        // The only 16-bit format that the decoder writes.
         HM_TRY_ASSIGN(Image16 image, decode_pixels<std::uint16_t>(
                                          *decoder, source, config,
                                          WUFFS_BASE__PIXEL_FORMAT__BGRA_NONPREMUL_4X16LE, name));
@@ -226,7 +226,7 @@ Result<TextureImage> decode_png(Bytes bytes, std::string_view name, ReadWarnings
     if (image || !critical_chunks_intact(bytes)) return image;
     Result<TextureImage> lenient = decode_png_leniently(bytes, header.depth == 16);
     if (!lenient) return image;
-    warnings.push_back(image.error().message + "; no pixel is missing");
+    warnings.push_back(image.error().message + "; all pixels are intact");
     return lenient;
 }
 

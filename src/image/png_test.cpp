@@ -1,5 +1,5 @@
-// PNG: what libspng writes as each colour type comes back as the standard says, and as libspng
-// reads it.
+// PNG: files of every colour type written by libspng are decoded as the standard defines, and as
+// libspng does.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <spng.h>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace testing_images;
 
-constexpr std::size_t kEndBytes = 12;  // IEND, without which every pixel is there
+constexpr std::size_t kEndBytes = 12;  // IEND, after which there are no pixels
 
 struct PngParts {
     std::uint32_t width = 0, height = 0;
@@ -28,7 +28,7 @@ struct PngParts {
     bool interlaced = false;
     std::optional<spng_plte> palette;
     std::optional<spng_trns> transparency;
-    std::vector<std::byte> rows;  // as stored, but 16-bit numbers in the machine's order
+    std::vector<std::byte> rows;  // as stored, but 16-bit values in native byte order
 };
 
 std::vector<std::byte> encode(const PngParts& parts) {
@@ -148,7 +148,7 @@ TEST(Png, PaletteWithTransparency) {
     palette.entries[2] = {70, 80, 90, 255};
     palette.entries[3] = {1, 2, 3, 255};
     spng_trns transparency{};
-    transparency.n_type3_entries = 2;  // the entries after these are opaque
+    transparency.n_type3_entries = 2;  // later palette entries are opaque
     transparency.type3_alpha[0] = 0;
     transparency.type3_alpha[1] = 99;
     const std::vector<Components> expected = {
@@ -181,7 +181,7 @@ TEST(Png, TransparentColour) {
 }
 
 TEST(Png, Interlaced) {
-    // libspng writes the passes; each row below is a row of the whole picture.
+    // libspng writes the interlace passes; each row below is a row of the whole image.
     PngParts parts{9, 11, 8, SPNG_COLOR_TYPE_GRAYSCALE, true, {}, {}, {}};
     std::vector<Components> expected;
     for (unsigned i = 0; i < 99; ++i) {
@@ -224,7 +224,7 @@ constexpr Kind kKinds[] = {
     {SPNG_COLOR_TYPE_TRUECOLOR_ALPHA, 16, 4},
 };
 
-// A picture of few values, so that a transparent colour is met.
+// An image with few values, so that the transparent colour occurs.
 PngParts random_picture(const Kind& kind, std::mt19937& random) {
     const auto below = [&](std::uint32_t n) { return std::uint32_t(random() % n); };
     PngParts parts{1 + below(19), 1 + below(19), kind.depth, kind.type, below(2) == 1, {}, {}, {}};
@@ -302,7 +302,7 @@ TEST(Png, MetadataSurvives) {
     spng_ctx_free(context);
 }
 
-// The standard allows a still picture that is none of the animation's frames.
+// The standard allows a still image that is not one of the animation's frames.
 TEST(Png, AnimationsGiveTheirStillPicture) {
     constexpr std::ptrdiff_t kHeaderEnd = 33, kEnd = 12;  // signature and IHDR; IEND
     PngParts parts{1, 1, 8, SPNG_COLOR_TYPE_TRUECOLOR, false, {}, {}, bytes_from({200, 100, 50})};
@@ -311,9 +311,9 @@ TEST(Png, AnimationsGiveTheirStillPicture) {
     auto animated = encode(parts);
 
     std::vector<std::byte> control;
-    for (const std::uint32_t value : {0u, 1u, 1u, 0u, 0u})  // number, size, place
+    for (const std::uint32_t value : {0u, 1u, 1u, 0u, 0u})  // sequence number, size, offset
         append_number(control, value);
-    for (const std::uint32_t value : {0x00010001u, 0u})  // a second; no blending
+    for (const std::uint32_t value : {0x00010001u, 0u})  // delay of 1 s; no blending
         append_number(control, value);
     control.resize(26);
     std::vector<std::byte> data = bytes_from({0, 0, 0, 1});

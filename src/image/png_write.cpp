@@ -1,4 +1,4 @@
-// Writing PNG through libspng (W3C, Portable Network Graphics, third edition).
+// Writes PNG with libspng (W3C, Portable Network Graphics, third edition).
 #include <spng.h>
 
 #include <cstdint>
@@ -20,13 +20,13 @@ struct FreeContext {
 };
 using Context = std::unique_ptr<spng_ctx, FreeContext>;
 
-// Fast for large pictures: on a photograph level 6 with a choice among all filters took 5.6 times
-// as long for a file 5 % smaller.
+// Chosen for speed: on a photograph, level 6 with all filters took 5.6 times as long for a 5 %
+// smaller file.
 constexpr int kCompressionLevel = 2;
 constexpr int kFilters = SPNG_FILTER_CHOICE_SUB | SPNG_FILTER_CHOICE_UP;
 
-// tEXt keywords have 1 to 79 characters of printable ASCII here (Latin-1 in the standard), without
-// spaces at the ends or two in a row.
+// tEXt keywords: here 1 to 79 characters of printable ASCII without spaces (the standard allows
+// Latin-1 and single inner spaces).
 std::string text_keyword(std::string_view name) {
     std::string keyword;
     for (const char c : name.substr(0, 79))
@@ -39,7 +39,7 @@ std::string text_value(std::string value) {
         const auto byte = static_cast<unsigned char>(c);
         if ((byte < 0x20 && c != '\n') || byte == 0x7F) c = ' ';
     }
-    return value.empty() ? " " : value;  // libspng refuses empty texts
+    return value.empty() ? " " : value;  // libspng rejects empty texts
 }
 
 bool is_ascii(std::string_view text) {
@@ -59,12 +59,12 @@ std::vector<std::uint8_t> without_alpha(const Image8& image) {
 int set_text(spng_ctx* context, const Metadata& metadata, std::vector<std::string>& values) {
     static char empty[] = "";
     std::vector<spng_text> texts(metadata.size());
-    values.resize(metadata.size());  // libspng keeps pointers to them until the picture is encoded
+    values.resize(metadata.size());  // libspng keeps pointers to them until encoding ends
     for (std::size_t i = 0; i < metadata.size(); ++i) {
         values[i] = text_value(metadata[i].second);
         const std::string keyword = text_keyword(metadata[i].first);
         std::memcpy(texts[i].keyword, keyword.c_str(), keyword.size() + 1);
-        // tEXt is Latin-1; text beyond ASCII is UTF-8 and needs iTXt.
+        // tEXt is Latin-1; non-ASCII UTF-8 requires iTXt.
         texts[i].type = is_ascii(values[i]) ? SPNG_TEXT : SPNG_ITXT;
         texts[i].length = values[i].size();
         texts[i].text = values[i].data();

@@ -24,7 +24,7 @@ Rgba<float> RadianceReader::convert(float r, float g, float b) {
         double value = 0;
         for (std::size_t k = 0; k < 3; ++k)
             value += (*matrix_)[c][k] * double(stored[k]);
-        // Below rounding, not outside of the space.
+        // Rounding errors do not count as out of gamut.
         const double rounding = 1e-6 * double(std::max({stored[0], stored[1], stored[2]}));
         if (value < -rounding) ++outside_;
         pixel[c] = clean_radiance(float(value));
@@ -44,8 +44,8 @@ void RadianceReader::report(const char* format, ReadWarnings& warnings) const {
         warnings.push_back(fmt::format("{}: {} values were replaced (infinite: {}, others: 0)",
                                        format, list, kInfiniteRadiance));
     if (outside_ > 0)
-        warnings.push_back(
-            fmt::format("{}: {} values outside of Rec. 709 became 0", format, outside_));
+        warnings.push_back(fmt::format("{}: {} values outside the Rec. 709 gamut were set to 0",
+                                       format, outside_));
 }
 
 }  // namespace hm

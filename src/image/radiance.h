@@ -1,4 +1,4 @@
-// Values of environments: finite, not negative, linear Rec. 709.
+// Environment radiance: finite, non-negative, linear Rec. 709.
 #pragma once
 
 #include <algorithm>
@@ -13,31 +13,31 @@
 
 namespace hm {
 
-// The largest value of a 16-bit float replaces an infinite radiance, which mostly is the overflow
-// of one.
+// Replaces infinite radiance: the largest 16-bit float, since infinity usually comes from half
+// overflow.
 inline constexpr float kInfiniteRadiance = 65504.0f;
 
-// Finite and not negative.
+// Makes a value finite and non-negative.
 inline float clean_radiance(float value) {
-    if (!(value > 0.0f)) return 0.0f;  // NaN as well
+    if (!(value > 0.0f)) return 0.0f;  // also NaN
     return value > 3.4028234e38f ? kInfiniteRadiance : value;
 }
 
-// Turns stored pixels into radiance and counts what it replaces.
+// Converts stored pixels to radiance and counts replaced values.
 class RadianceReader {
   public:
-    // Stored values are linear RGB of these primaries.
+    // `to_rec709` converts stored values; unset if they are Rec. 709.
     explicit RadianceReader(const std::optional<Matrix3>& to_rec709) : matrix_(to_rec709) {}
 
-    // With alpha 1.
+    // The result has alpha 1.
     Rgba<float> convert(float r, float g, float b);
-    // One warning for all that was replaced, if anything was.
+    // Adds warnings with the numbers of replaced values.
     void report(const char* format, ReadWarnings& warnings) const;
 
   private:
     float clean(float value);
 
-    std::optional<Matrix3> matrix_;  // nothing: the values are Rec. 709 already
+    std::optional<Matrix3> matrix_;
     std::size_t infinite_ = 0, nan_ = 0, negative_ = 0, outside_ = 0;
 };
 

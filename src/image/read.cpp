@@ -28,7 +28,7 @@ bool is_texture(FileFormat format) {
 }
 
 tl::unexpected<Error> refuse_format(std::string_view name, Bytes bytes) {
-    return refuse(name, bytes.empty() ? "the picture is empty" : "not a picture of a known format");
+    return refuse(name, bytes.empty() ? "the image is empty" : "unknown image format");
 }
 
 template <class Decode>
@@ -36,7 +36,7 @@ auto within_memory(std::string_view name, const Decode& decode) -> decltype(deco
     try {
         return decode();
     } catch (const std::bad_alloc&) {
-        return refuse(name, "the picture does not fit in memory");
+        return refuse(name, "the image does not fit in memory");
     }
 }
 
@@ -64,10 +64,11 @@ FileFormat file_format(Bytes bytes) {
 }
 
 Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::string_view name) {
-    if (width == 0 || height == 0) return refuse(name, "the picture has no pixels");
+    if (width == 0 || height == 0) return refuse(name, "the image has no pixels");
     if (width > kMaxImageSide || height > kMaxImageSide || width * height > kMaxImagePixels)
-        return refuse(name, fmt::format("{} x {} pixels are more than {} a side or {} in all",
-                                        width, height, kMaxImageSide, kMaxImagePixels));
+        return refuse(name,
+                      fmt::format("{} x {} pixels exceed the limit of {} per side or {} in total",
+                                  width, height, kMaxImageSide, kMaxImagePixels));
     return {};
 }
 
@@ -75,7 +76,7 @@ Result<TextureImage> read_texture_image(Bytes bytes, std::string_view name,
                                         ReadWarnings& warnings) {
     const FileFormat format = file_format(bytes);
     if (format == FileFormat::unknown) return refuse_format(name, bytes);
-    if (!is_texture(format)) return refuse(name, "a texture has to be PNG or JPEG");
+    if (!is_texture(format)) return refuse(name, "a texture must be PNG or JPEG");
     return decode_texture(format, bytes, name, warnings);
 }
 
@@ -83,7 +84,7 @@ Result<FloatImage> read_environment_image(Bytes bytes, std::string_view name,
                                           ReadWarnings& warnings) {
     const FileFormat format = file_format(bytes);
     if (format == FileFormat::unknown) return refuse_format(name, bytes);
-    if (is_texture(format)) return refuse(name, "an environment has to be Radiance HDR or OpenEXR");
+    if (is_texture(format)) return refuse(name, "an environment must be Radiance HDR or OpenEXR");
     return within_memory(name, [&] {
         return format == FileFormat::hdr ? decode_hdr(bytes, name, warnings)
                                          : decode_exr(bytes, name, warnings);

@@ -1,4 +1,4 @@
-// Pictures from bytes. The file's signature decides on the format, never its name.
+// Reads images from memory. The format is detected by the signature, never by the file name.
 #pragma once
 
 #include <cstddef>
@@ -12,31 +12,31 @@
 
 namespace hm {
 
-// The largest width or height and the most pixels of a picture; checked before memory is allocated.
+// Limits of width, height and number of pixels, checked before memory is allocated.
 inline constexpr std::uint32_t kMaxImageSide = 65536;
 inline constexpr std::uint64_t kMaxImagePixels = 1ull << 28;
 
-// What was wrong with a file that could be read all the same, a line for each kind of fault.
+// Faults of a file that could still be read, one line per kind.
 using ReadWarnings = std::vector<std::string>;
 
-// PNG (every colour type and depth; 16-bit stays 16-bit) or JPEG (grey, YCbCr, RGB, CMYK), with the
-// stored, still encoded values. A missing alpha is 1; grey is repeated; embedded
-// colour profiles and gamma are ignored, as glTF asks. Faults that cost no pixel (a bad checksum of
-// an ancillary chunk, bytes too many) are warnings. `name` is used in errors only.
-// All three may be called from several threads at once. They fail with ErrorKind::invalid, or with
-// ErrorKind::unsupported where a valid file uses a feature that is not implemented.
+// PNG (all colour types and depths; 16 bits are kept) or JPEG (grey, YCbCr, RGB, CMYK), with
+// encoded values as stored. Alpha defaults to 1; grey is replicated; embedded colour profiles and
+// gamma are ignored, as glTF requires. Faults that do not affect pixels (a bad checksum of an
+// ancillary chunk, trailing bytes) are warnings. `name` is used in errors only. All three functions
+// are thread-safe. They fail with ErrorKind::invalid, or with ErrorKind::unsupported if a valid
+// file uses a feature that is not implemented.
 Result<TextureImage> read_texture_image(std::span<const std::byte> bytes, std::string_view name,
                                         ReadWarnings& warnings);
 
-// Radiance .hdr (RGBE or XYZE, flat or run-length coded) or OpenEXR (scan lines or tiles; R, G, B
-// or Y, else the first layer with R, G and B; of several parts the first with colours), as linear
-// Rec. 709 with alpha 1: other chromaticities are converted. The picture is OpenEXR's display
-// window, black where there is no data. Infinite, NaN and negative values become finite,
-// non-negative ones. Each such change is a warning.
+// Radiance .hdr (RGBE or XYZE, flat or run-length encoded) or OpenEXR (scan lines or tiles; R, G, B
+// or Y, else the first layer with R, G and B; the first part with colours), as linear Rec. 709 with
+// alpha 1: other chromaticities are converted. The image covers OpenEXR's display window, and is
+// black outside the data window. Infinite, NaN and negative values are replaced. Such changes are
+// warnings.
 Result<FloatImage> read_environment_image(std::span<const std::byte> bytes, std::string_view name,
                                           ReadWarnings& warnings);
 
-// Any of the above, for tools and tests: OpenEXR as read_layers and layer_image have it.
+// Any of these formats, for tools and tests; OpenEXR as in read_layers and layer_image.
 Result<AnyImage> read_image(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace hm

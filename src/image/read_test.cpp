@@ -1,4 +1,4 @@
-// Which format may be used for what, and reading from several threads at once.
+// Allowed formats of textures and environments, and reading from several threads.
 #include "image/read.h"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ TEST(ReadImage, SignatureDecides) {
     const std::vector<std::byte> other(64, std::byte(7));
     const auto expect_refusal = [&](const auto& read) {
         ASSERT_FALSE(read(other, "odd"));
-        EXPECT_EQ(read(other, "odd").error().line(), "odd: not a picture of a known format");
-        EXPECT_EQ(read(Bytes(), "none").error().line(), "none: the picture is empty");
+        EXPECT_EQ(read(other, "odd").error().line(), "odd: unknown image format");
+        EXPECT_EQ(read(Bytes(), "none").error().line(), "none: the image is empty");
     };
     expect_refusal(
         [&](Bytes b, const char* name) { return read_texture_image(b, name, warnings); });

@@ -1,4 +1,4 @@
-// What the tests of this folder share.
+// Helpers for the tests of this folder.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 
 namespace hm::testing_images {
 
-// A folder of the test's own, removed at its end.
+// A temporary folder, removed by the destructor.
 class Folder {
   public:
     Folder() {
@@ -42,7 +42,7 @@ inline ByteArray bytes_of_file(const std::filesystem::path& path) {
     return bytes ? std::move(*bytes) : ByteArray();
 }
 
-// The picture of a file that has to be readable and of this kind; empty otherwise.
+// Reads an image that must be valid and of this type; empty otherwise.
 template <class T>
 ImageOf<T> read_whole(Bytes bytes) {
     auto read = read_image(bytes, "test");
@@ -53,7 +53,7 @@ ImageOf<T> read_whole(Bytes bytes) {
         image = std::get_if<FloatImage>(&*read);
     else if (const auto* texture = std::get_if<TextureImage>(&*read))
         image = std::get_if<ImageOf<T>>(&texture->image());
-    EXPECT_NE(image, nullptr) << "a picture of another kind";
+    EXPECT_NE(image, nullptr) << "an image of another type";
     return image ? *image : ImageOf<T>();
 }
 
@@ -62,8 +62,8 @@ inline bool has_pixels(const AnyImage& image) {
     return !std::get<FloatImage>(image).pixels.empty();
 }
 
-// A file that ends early has to be refused wherever it ends, but for the last `idle` bytes, which
-// say nothing. The copy has the exact size, so that a sanitizer sees a read past it.
+// Truncated files must be rejected, except if only bytes of the last `idle` are missing, which
+// carry no data. The copy has the exact size, so that sanitizers detect reads past the end.
 inline void expect_cuts_refused(Bytes bytes, std::size_t idle = 0) {
     for (std::size_t size = 0; size < bytes.size() - idle; size += 7) {
         const std::vector<std::byte> cut(bytes.begin(), bytes.begin() + std::ptrdiff_t(size));
@@ -76,7 +76,7 @@ inline void expect_cuts_refused(Bytes bytes, std::size_t idle = 0) {
     ASSERT_FALSE(read_image(but_one, "cut"));
 }
 
-// Damage must not crash; whether it is noticed depends on the format.
+// Damaged files must not crash; whether the damage is detected depends on the format.
 inline void expect_damage_survived(Bytes bytes, unsigned char flip) {
     std::vector<std::byte> damaged(bytes.begin(), bytes.end());
     for (std::size_t i = 0; i < damaged.size(); ++i) {

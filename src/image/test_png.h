@@ -1,4 +1,4 @@
-// PNG chunks made by hand, for files that are damaged or odd on purpose.
+// Builds PNG chunks, for deliberately damaged or unusual files.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ inline Image8 gradient(std::uint32_t width, std::uint32_t height) {
     return image;
 }
 
-// The checksum of a chunk, as the standard's annex on it defines it.
+// The CRC of a chunk, as defined in the standard's annex.
 inline std::uint32_t checksum(Bytes bytes) {
     std::uint32_t sum = 0xFFFFFFFFu;
     for (const std::byte b : bytes) {

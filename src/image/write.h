@@ -1,4 +1,4 @@
-// Pictures to files, written under a temporary name and renamed.
+// Writes images to files, atomically: under a temporary name, then renamed.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,19 @@
 
 namespace hm {
 
-// Text attributes, in order: written as OpenEXR string attributes and PNG tEXt chunks.
+// Text attributes in order, written as OpenEXR string attributes and PNG tEXt chunks.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
-// Premultiplied linear Rec.709 (the chromaticities attribute says so), float channels R, G, B and,
-// with `alpha`, A; ZIP-compressed scan lines.
+// Premultiplied linear Rec. 709 (with the chromaticities attribute); float channels R, G, B and, if
+// `alpha`, A; ZIP-compressed scan lines.
 Result<void> write_exr(const std::filesystem::path& path, const FloatImage& image, bool alpha,
                        const Metadata& metadata);
 
-// sRGB with straight alpha; without `alpha` an RGB file. Carries an sRGB chunk.
+// sRGB with straight alpha, or RGB without `alpha`. Has an sRGB chunk.
 Result<void> write_png(const std::filesystem::path& path, const Image8& image, bool alpha,
                        const Metadata& metadata);
 
-// Radiance RGBE, run-length coded.
+// Radiance RGBE, run-length encoded.
 Result<void> write_hdr(const std::filesystem::path& path, const FloatImage& image);
 
 }  // namespace hm

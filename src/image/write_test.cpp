@@ -1,4 +1,4 @@
-// What the three writers have in common; each format's own test reads back what it wrote.
+// Common behaviour of the three writers; round trips are in each format's own test.
 #include "image/write.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,3 @@
-// Compiles Wuffs' code.
+// Compiles the implementation of Wuffs.
 #define WUFFS_IMPLEMENTATION
 #include "image/wuffs.h"

@@ -1,5 +1,5 @@
-// Wuffs' PNG decoder: C code generated from a language in which nothing can be read or written out
-// of bounds. Its one file is header and code; wuffs.cpp compiles the code.
+// Wuffs' PNG decoder: C code generated from a memory-safe language. Its single file is both header
+// and implementation; wuffs.cpp compiles the implementation.
 #pragma once
 
 #define WUFFS_CONFIG__MODULES
