@@ -45,7 +45,7 @@ HM_TEXTURE("pbrMetallicRoughness", "baseColorTexture", base_color_texture, read_
 HM_TEXTURE("pbrMetallicRoughness", "metallicRoughnessTexture", metallic_roughness_texture,
            read_metallic_roughness, kEncodingLinear, "G roughness, B metallic")
 HM_TEXTURE("", "normalTexture", normal_texture, read_normal, kEncodingLinear,
-           "RG tangent-space normal; B is rebuilt")
+           "RGB tangent-space normal")
 HM_TEXTURE("", "occlusionTexture", occlusion_texture, read_occlusion, kEncodingLinear,
            "ignored: occlusion is simulated")
 HM_TEXTURE("", "emissiveTexture", emissive_texture, read_emissive, kEncodingSrgb,
