@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/json_writer.h"
 #include "base/machine.h"
 #include "bvh/bvh.h"
 #include "bvh/trace_batch.h"
@@ -186,6 +187,27 @@ double mrays_per_second(void (*trace)(TraceBatch&), const BvhView& view,
     return double(rays.size()) / seconds * 1e-6;
 }
 
+// Rays of all kinds with one build of the traversal, in millions per second.
+void write_rates(JsonWriter& json, const TraceVariant& variant, const Scene& scene,
+                 const BvhView& view, const std::vector<Ray>& camera) {
+    std::vector<Hit> hits;
+    std::vector<std::uint8_t> found;
+    const auto measure = [&](const char* name, void (*trace)(TraceBatch&),
+                             const std::vector<Ray>& rays) {
+        json.field(name, mrays_per_second(trace, view, rays, hits, found), 4);
+    };
+    json.key(variant.name).begin_object(JsonLayout::compact);
+    measure("closest_primary", variant.closest, camera);
+    const std::vector<Ray> diffuse = diffuse_rays(scene, camera, hits, found);
+    const std::vector<Ray> scattered = shuffled(diffuse);
+    measure("closest_diffuse", variant.closest, diffuse);
+    measure("closest_shuffled", variant.closest, scattered);
+    measure("any_primary", variant.any, camera);
+    measure("any_diffuse", variant.any, diffuse);
+    measure("any_shuffled", variant.any, scattered);
+    json.end_object();
+}
+
 }  // namespace
 
 int main() {
@@ -195,33 +217,16 @@ int main() {
         Bvh again = build_bvh(scene.meshes, scene.instances);
         if (again.stats.build_seconds < bvh.stats.build_seconds) bvh = std::move(again);
     }
-    const BvhView view = bvh.view();
-    fmt::print("{{\n  {},\n", machine_json());
-    fmt::print("  \"triangles\": {},\n  \"nodes\": {},\n  \"packets\": {},\n  \"bytes\": {},\n",
-               bvh.stats.triangles, bvh.stats.nodes, bvh.stats.packets, bvh.stats.bytes);
-    fmt::print("  \"build_mtris_per_s\": {:.2f},\n  \"mrays_per_s\": {{",
-               double(bvh.stats.triangles) / bvh.stats.build_seconds * 1e-6);
-
+    JsonWriter json;
+    write_machine(json.begin_object());
+    json.field("triangles", bvh.stats.triangles).field("nodes", bvh.stats.nodes);
+    json.field("packets", bvh.stats.packets).field("bytes", bvh.stats.bytes);
+    json.field("build_mtris_per_s", double(bvh.stats.triangles) / bvh.stats.build_seconds * 1e-6,
+               4);
+    json.key("mrays_per_s").begin_object();
     const std::vector<Ray> camera = camera_rays(960, 720);
-    const char* separator = "\n";
-    for (const TraceVariant& variant : trace_variants()) {
-        std::vector<Hit> hits;
-        std::vector<std::uint8_t> found;
-        const double primary = mrays_per_second(variant.closest, view, camera, hits, found);
-        const std::vector<Ray> diffuse = diffuse_rays(scene, camera, hits, found);
-        const std::vector<Ray> scattered = shuffled(diffuse);
-        const auto measure = [&](void (*trace)(TraceBatch&), const std::vector<Ray>& rays) {
-            return mrays_per_second(trace, view, rays, hits, found);
-        };
-        fmt::print("{}    \"{}\": {{", separator, variant.name);
-        fmt::print(
-            "\"closest_primary\": {:.2f}, \"closest_diffuse\": {:.2f}, "
-            "\"closest_shuffled\": {:.2f}, ",
-            primary, measure(variant.closest, diffuse), measure(variant.closest, scattered));
-        fmt::print("\"any_primary\": {:.2f}, \"any_diffuse\": {:.2f}, \"any_shuffled\": {:.2f}}}",
-                   measure(variant.any, camera), measure(variant.any, diffuse),
-                   measure(variant.any, scattered));
-        separator = ",\n";
-    }
-    fmt::print("\n  }}\n}}\n");
+    for (const TraceVariant& variant : trace_variants())
+        write_rates(json, variant, scene, bvh.view(), camera);
+    json.end_object().end_object();
+    fmt::print("{}\n", json.text());
 }

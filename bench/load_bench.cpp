@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/json_writer.h"
 #include "base/machine.h"
 #include "bvh/bvh.h"
 #include "gltf/load.h"
@@ -126,28 +127,28 @@ std::optional<Measured> median(const std::string& path) {
     return runs[kRuns / 2];
 }
 
-void print(const std::string& path, const Measured& m) {
-    fmt::print(
-        "    {{\"file\": \"{}\", \"triangles\": {}, \"read_s\": {:.4f}, \"load_s\": {:.4f}, "
-        "\"bvh_s\": {:.4f}, \"load_cpu_s\": {:.4f}, \"bvh_cpu_s\": {:.4f}, "
-        "\"load_peak_mib\": {:.1f}, \"bvh_peak_mib\": {:.1f}, \"time_ratio\": {:.3f}, "
-        "\"memory_ratio\": {:.3f}}}",
-        path.substr(path.rfind('/') + 1), m.triangles, m.read_wall, m.load.wall, m.build.wall,
-        m.load.processor, m.build.processor, m.load_peak, m.build_peak, m.time_ratio,
-        m.memory_ratio);
+void write(JsonWriter& json, const std::string& path, const Measured& m) {
+    json.begin_object(JsonLayout::compact);
+    json.field("file", path.substr(path.rfind('/') + 1)).field("triangles", m.triangles);
+    json.field("read_s", m.read_wall, 4).field("load_s", m.load.wall, 4);
+    json.field("bvh_s", m.build.wall, 4).field("load_cpu_s", m.load.processor, 4);
+    json.field("bvh_cpu_s", m.build.processor, 4).field("load_peak_mib", m.load_peak, 5);
+    json.field("bvh_peak_mib", m.build_peak, 5).field("time_ratio", m.time_ratio, 4);
+    json.field("memory_ratio", m.memory_ratio, 4).end_object();
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-    fmt::print("{{{},\n  \"files\": [\n", machine_json());
+    JsonWriter json;
+    write_machine(json.begin_object());
+    json.key("files").begin_array();
     for (int i = 1; i < count; ++i) {
-        std::fflush(stdout);
         const auto measured = median(arguments[i]);
         if (!measured) return 1;
-        print(arguments[i], *measured);
-        fmt::print("{}\n", i + 1 < count ? "," : "");
+        write(json, arguments[i], *measured);
     }
-    fmt::print("  ]}}\n");
+    json.end_array().end_object();
+    fmt::print("{}\n", json.text());
     return 0;
 }

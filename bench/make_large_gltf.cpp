@@ -8,11 +8,19 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "base/json_writer.h"
+
+namespace hm {
 namespace {
+
+// The accessors, in the order in which they are added.
+constexpr int kPositions = 0, kNormals = 1, kUvs = 2, kIndices = 3, kPlaces = 4;
 
 struct Surface {
     std::vector<float> positions, normals, uvs;
@@ -39,14 +47,13 @@ Surface make_surface(std::uint32_t n) {
 }
 
 // "min" and "max", which positions must have.
-std::string limits_of(const std::vector<float>& positions) {
+void write_limits(JsonWriter& json, const std::vector<float>& positions) {
     std::array<float, 3> low{positions[0], positions[1], positions[2]}, high = low;
     for (std::size_t i = 3; i < positions.size(); ++i) {
         low[i % 3] = std::min(low[i % 3], positions[i]);
         high[i % 3] = std::max(high[i % 3], positions[i]);
     }
-    return fmt::format(R"(,"min":[{},{},{}],"max":[{},{},{}])", low[0], low[1], low[2], high[0],
-                       high[1], high[2]);
+    json.key("min").values(low).key("max").values(high);
 }
 
 // Places on a square lattice.
@@ -58,52 +65,101 @@ std::vector<float> make_places(std::uint32_t count) {
     return places;
 }
 
-struct Writer {
-    std::string binary, views, accessors;
-    std::size_t count = 0;
+// The binary part of the file, and the arrays of the document that describe it.
+class Buffer {
+  public:
+    Buffer() {
+        views_.begin_array(JsonLayout::compact);
+        accessors_.begin_array(JsonLayout::compact);
+    }
 
     template <class T>
     void add(const std::vector<T>& values, std::string_view type, std::size_t width, int component,
-             const std::string& rest = "") {
-        const std::string_view comma = count == 0 ? "" : ",";
+             bool limits = false) {
         const std::size_t bytes = values.size() * sizeof(T);
-        views += fmt::format(R"({}{{"buffer":0,"byteOffset":{},"byteLength":{}}})", comma,
-                             binary.size(), bytes);
-        accessors +=
-            fmt::format(R"({}{{"bufferView":{},"componentType":{},"type":"{}","count":{}{}}})",
-                        comma, count, component, type, values.size() / width, rest);
-        binary.append(reinterpret_cast<const char*>(values.data()), bytes);
-        ++count;
+        views_.begin_object().field("buffer", 0).field("byteOffset", binary_.size());
+        views_.field("byteLength", bytes).end_object();
+        accessors_.begin_object().field("bufferView", count_++).field("componentType", component);
+        accessors_.field("type", type).field("count", values.size() / width);
+        if constexpr (std::is_same_v<T, float>)
+            if (limits) write_limits(accessors_, values);
+        accessors_.end_object();
+        binary_.append(reinterpret_cast<const char*>(values.data()), bytes);
     }
 
-    bool write(const std::string& path, std::string nodes, const std::string& roots) {
-        std::string json = fmt::format(
-            R"({{"asset":{{"version":"2.0"}},"extensionsUsed":["EXT_mesh_gpu_instancing"],)"
-            R"("buffers":[{{"byteLength":{}}}],"bufferViews":[{}],"accessors":[{}],)"
-            R"("meshes":[{{"primitives":[{{"indices":3,"attributes":)"
-            R"({{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2}}}}]}}],)"
-            R"("nodes":[{}],"scenes":[{{"nodes":[{}]}}],"scene":0}})",
-            binary.size(), views, accessors, nodes, roots);
-        json.resize((json.size() + 3) / 4 * 4, ' ');
-        std::ofstream file(path, std::ios::binary);
-        const auto word = [&](std::size_t value) {
-            const auto little = std::uint32_t(value);
-            file.write(reinterpret_cast<const char*>(&little), 4);
-        };
-        file.write("glTF", 4);
-        word(2);
-        word(12 + 8 + json.size() + 8 + binary.size());
-        word(json.size());
-        file.write("JSON", 4).write(json.data(), std::streamsize(json.size()));
-        word(binary.size());
-        file.write("BIN\0", 4).write(binary.data(), std::streamsize(binary.size()));
-        return bool(file.flush());
+    void write_members(JsonWriter& json) {
+        json.key("buffers").begin_array().begin_object().field("byteLength", binary_.size());
+        json.end_object().end_array();
+        json.key("bufferViews").raw(views_.end_array().text());
+        json.key("accessors").raw(accessors_.end_array().text());
     }
+
+    const std::string& binary() const { return binary_; }
+
+  private:
+    std::string binary_;
+    JsonWriter views_, accessors_;
+    std::size_t count_ = 0;
 };
 
+void write_instances(JsonWriter& json) {
+    json.begin_object().field("mesh", 0).key("extensions").begin_object();
+    json.key("EXT_mesh_gpu_instancing").begin_object().key("attributes").begin_object();
+    json.field("TRANSLATION", kPlaces).end_object().end_object().end_object().end_object();
+}
+
+// A node at each place that shows the mesh.
+void write_nodes(JsonWriter& json, const std::vector<float>& places) {
+    for (std::size_t i = 0; 3 * i < places.size(); ++i) {
+        json.begin_object().field("mesh", 0).field("name", fmt::format("node {}", i));
+        json.key("translation").values(std::span(places).subspan(3 * i, 3)).end_object();
+    }
+}
+
+std::string document(std::string_view kind, Buffer& buffer, const std::vector<float>& places) {
+    JsonWriter json;
+    json.begin_object(JsonLayout::compact);
+    json.key("asset").begin_object().field("version", "2.0").end_object();
+    json.key("extensionsUsed").begin_array().value("EXT_mesh_gpu_instancing").end_array();
+    buffer.write_members(json);
+    json.key("meshes").begin_array().begin_object().key("primitives").begin_array();
+    json.begin_object().field("indices", kIndices).key("attributes").begin_object();
+    json.field("POSITION", kPositions).field("NORMAL", kNormals).field("TEXCOORD_0", kUvs);
+    json.end_object().end_object().end_array().end_object().end_array();
+    json.key("nodes").begin_array();
+    if (kind == "triangles") json.begin_object().field("mesh", 0).end_object();
+    if (kind == "instances") write_instances(json);
+    if (kind == "nodes") write_nodes(json, places);
+    json.end_array().key("scenes").begin_array().begin_object().key("nodes").begin_array();
+    for (std::size_t i = 0; i < (kind == "nodes" ? places.size() / 3 : 1); ++i)
+        json.value(i);
+    json.end_array().end_object().end_array().field("scene", 0).end_object();
+    std::string text = json.text();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    return text;
+}
+
+bool write_glb(const std::string& path, const std::string& json, const std::string& binary) {
+    std::ofstream file(path, std::ios::binary);
+    const auto word = [&](std::size_t value) {
+        const auto little = std::uint32_t(value);
+        file.write(reinterpret_cast<const char*>(&little), 4);
+    };
+    file.write("glTF", 4);
+    word(2);
+    word(12 + 8 + json.size() + 8 + binary.size());
+    word(json.size());
+    file.write("JSON", 4).write(json.data(), std::streamsize(json.size()));
+    word(binary.size());
+    file.write("BIN\0", 4).write(binary.data(), std::streamsize(binary.size()));
+    return bool(file.flush());
+}
+
 }  // namespace
+}  // namespace hm
 
 int main(int count, char** arguments) {
+    using namespace hm;
     const std::string_view kind = count == 4 ? arguments[1] : "";
     std::uint32_t n = 0;
     const std::string_view number = count == 4 ? arguments[2] : "";
@@ -112,29 +168,16 @@ int main(int count, char** arguments) {
         fmt::print(stderr, "usage: make_large_gltf triangles|nodes|instances COUNT OUT.glb\n");
         return 2;
     }
-    const bool big = kind == "triangles";
-    const Surface s = make_surface(big ? std::uint32_t(std::sqrt(n / 2.0)) : 16);
-    Writer writer;
-    writer.add(s.positions, "VEC3", 3, 5126, limits_of(s.positions));
-    writer.add(s.normals, "VEC3", 3, 5126);
-    writer.add(s.uvs, "VEC2", 2, 5126);
-    writer.add(s.indices, "SCALAR", 1, 5125);
-    std::string nodes = R"({"mesh":0})", roots = "0";
-    if (!big) {
-        const std::vector<float> places = make_places(n);
-        if (kind == "instances") {
-            writer.add(places, "VEC3", 3, 5126);
-            nodes = R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":)"
-                    R"({"TRANSLATION":4}}}})";
-        }
-        for (std::uint32_t i = 0; kind == "nodes" && i < n; ++i) {
-            if (i == 0) nodes = roots = "";
-            nodes += fmt::format(R"({}{{"mesh":0,"name":"node {}","translation":[{},0,{}]}})",
-                                 i == 0 ? "" : ",", i, places[3 * i], places[3 * i + 2]);
-            roots += fmt::format("{}{}", i == 0 ? "" : ",", i);
-        }
-    }
-    if (writer.write(arguments[3], nodes, roots)) return 0;
+    const Surface s =
+        make_surface(kind == "triangles" ? std::uint32_t(std::sqrt(double(n) / 2)) : 16);
+    const std::vector<float> places = make_places(n);
+    Buffer buffer;
+    buffer.add(s.positions, "VEC3", 3, 5126, true);
+    buffer.add(s.normals, "VEC3", 3, 5126);
+    buffer.add(s.uvs, "VEC2", 2, 5126);
+    buffer.add(s.indices, "SCALAR", 1, 5125);
+    if (kind == "instances") buffer.add(places, "VEC3", 3, 5126);
+    if (write_glb(arguments[3], document(kind, buffer, places), buffer.binary())) return 0;
     fmt::print(stderr, "{}: can't be written\n", arguments[3]);
     return 6;
 }

@@ -18,6 +18,7 @@
 
 #include "base/check.h"
 #include "base/files.h"
+#include "base/json_writer.h"
 #include "base/machine.h"
 #include "compare/metrics.h"
 #include "cpu/render.h"
@@ -88,7 +89,7 @@ Film render(const BenchScene& bench, Renderer& renderer, const Settings& setting
     return film;
 }
 
-std::string measure_rates(const BenchScene& bench, CpuRenderer& renderer) {
+void measure_rates(JsonWriter& json, const BenchScene& bench, CpuRenderer& renderer) {
     constexpr std::uint32_t width = 640, height = 360;
     double best_wall = 1e30, best_processor = 1e30, samples = 0, rays = 0;
     for (std::uint32_t repeat = 0; repeat < 3; ++repeat) {
@@ -100,23 +101,22 @@ std::string measure_rates(const BenchScene& bench, CpuRenderer& renderer) {
         samples = double(counters.samples);
         rays = double(counters.rays);
     }
-    return fmt::format(
-        "\"samples_per_second\": {:.4g}, \"rays_per_second\": {:.4g}, "
-        "\"samples_per_processor_second\": {:.4g}, \"rays_per_processor_second\": {:.4g}, "
-        "\"rays_per_sample\": {:.3f}",
-        samples / best_wall, rays / best_wall, samples / best_processor, rays / best_processor,
-        rays / samples);
+    json.field("samples_per_second", samples / best_wall, 4);
+    json.field("rays_per_second", rays / best_wall, 4);
+    json.field("samples_per_processor_second", samples / best_processor, 4);
+    json.field("rays_per_processor_second", rays / best_processor, 4);
+    json.field("rays_per_sample", rays / samples, 4);
 }
 
-std::string measure_errors(const BenchScene& bench, CpuRenderer& renderer) {
+void measure_errors(JsonWriter& json, const BenchScene& bench, CpuRenderer& renderer) {
     constexpr std::uint32_t width = 96, height = 64;
     constexpr std::string_view names[] = {"independent", "sobol_blue_noise", "sobol_owen"};
     RenderCounters counters;
     const FloatImage reference =
         render(bench, renderer, {width, height, 4096, 999, kSamplerSobolOwen}, counters).resolve();
-    std::string json = "\"relative_mse\": {";
+    json.key("relative_mse").begin_object();
     for (std::uint32_t sampler = 0; sampler < 3; ++sampler) {
-        json += fmt::format("{}\"{}\": {{", sampler == 0 ? "" : ", ", names[sampler]);
+        json.key(names[sampler]).begin_object(JsonLayout::compact);
         for (std::uint32_t samples : {1u, 4u, 16u, 64u, 256u}) {
             const std::uint32_t seeds = samples < 64 ? 4 : 2;
             double sum = 0;
@@ -125,16 +125,16 @@ std::string measure_errors(const BenchScene& bench, CpuRenderer& renderer) {
                     render(bench, renderer, {width, height, samples, seed, sampler}, counters);
                 sum += compare_images(film.resolve(), reference).relative_mse;
             }
-            json += fmt::format("{}\"{}\": {:.4g}", samples == 1 ? "" : ", ", samples, sum / seeds);
+            json.field(std::to_string(samples), sum / seeds, 4);
         }
-        json += "}";
+        json.end_object();
     }
-    return json + "}";
+    json.end_object();
 }
 
 // The best of three turns, in each of which none goes first.
-std::string measure_aovs(const BenchScene& bench, Renderer& renderer,
-                         const std::vector<std::string>& light_groups) {
+void measure_aovs(JsonWriter& json, const BenchScene& bench, Renderer& renderer,
+                  const std::vector<std::string>& light_groups) {
     std::vector<std::pair<std::string, AovSelection>> choices = {{"none", {}}};
     for (const AovInfo& info : all_aovs())
         choices.push_back({std::string(info.name), {{info.aov}, {}, false}});
@@ -149,16 +149,15 @@ std::string measure_aovs(const BenchScene& bench, Renderer& renderer,
             render(bench, renderer, {320, 180, 16, 1, kSamplerSobolOwen, aovs}, counters);
             best[i] = std::min(best[i], processor_seconds() - begin);
         }
-    std::string json = "\"aov_time_ratio\": {";
+    json.key("aov_time_ratio").begin_object();
     for (std::size_t i = 0; i < choices.size(); ++i)
-        json += fmt::format("{}\"{}\": {:.3f}", i == 0 ? "" : ", ", choices[i].first,
-                            best[i] / best[0]);
-    return json + "}";
+        json.field(choices[i].first, best[i] / best[0], 4);
+    json.end_object();
 }
 
 // What dealing Sobol samples to replicates costs: the mean squared error with the variance AOV over
 // that without.
-std::string measure_replicates(const BenchScene& bench, Renderer& renderer) {
+void measure_replicates(JsonWriter& json, const BenchScene& bench, Renderer& renderer) {
     constexpr std::uint32_t width = 48, height = 32;
     RenderCounters counters;
     const FloatImage reference =
@@ -166,7 +165,7 @@ std::string measure_replicates(const BenchScene& bench, Renderer& renderer) {
     const auto error = [&](const Settings& settings) {
         return compare_images(render(bench, renderer, settings, counters).resolve(), reference).mse;
     };
-    std::string json = "\"replicates_mse_ratio\": {";
+    json.key("replicates_mse_ratio").begin_object();
     for (const std::uint32_t samples : {16u, 64u, 256u}) {
         double with = 0, without = 0;
         for (std::uint32_t seed = 1; seed <= 4; ++seed) {
@@ -175,28 +174,28 @@ std::string measure_replicates(const BenchScene& bench, Renderer& renderer) {
             settings.aovs.aovs = {Aov::variance};
             with += error(settings);
         }
-        json += fmt::format("{}\"{}\": {:.3f}", samples == 16 ? "" : ", ", samples, with / without);
+        json.field(std::to_string(samples), with / without, 4);
     }
-    return json + "}";
+    json.end_object();
 }
 
-Result<std::string> measure_scene(const std::string& argument, bool errors, bool aovs) {
+Result<void> measure_scene(JsonWriter& json, const std::string& argument, bool errors, bool aovs) {
     BenchScene bench;
     HM_TRY(load(bench, argument));
     LightGroups groups = find_light_groups(bench.scene, bench.flat);
     bench.flat.aovs.source_groups = groups.source_groups;
     CpuRenderer renderer(bench.flat, 0);
-    std::string name = argument.substr(argument.find_last_of('/', argument.find(':')) + 1);
-    std::string json = fmt::format(
-        "    {{\"scene\": \"{}\", \"triangles\": {}, \"bvh_seconds\": {:.3f}, "
-        "\"instruction_set\": \"{}\",\n     {}",
-        name, renderer.bvh_stats().triangles, renderer.bvh_stats().build_seconds,
-        cpu_instruction_set(), measure_rates(bench, renderer));
-    if (errors) json += ",\n     " + measure_errors(bench, renderer);
-    if (aovs)
-        json += ",\n     " + measure_aovs(bench, renderer, groups.names) + ",\n     " +
-                measure_replicates(bench, renderer);
-    return json + "}";
+    json.begin_object();
+    json.field("scene", argument.substr(argument.find_last_of('/', argument.find(':')) + 1));
+    json.field("triangles", renderer.bvh_stats().triangles);
+    json.field("bvh_seconds", renderer.bvh_stats().build_seconds, 3);
+    json.field("instruction_set", cpu_instruction_set());
+    measure_rates(json, bench, renderer);
+    if (errors) measure_errors(json, bench, renderer);
+    if (aovs) measure_aovs(json, bench, renderer, groups.names);
+    if (aovs) measure_replicates(json, bench, renderer);
+    json.end_object();
+    return {};
 }
 
 }  // namespace
@@ -213,18 +212,18 @@ int main(int argc, char** argv) {
         else
             scenes.emplace_back(argv[i]);
     }
-    fmt::print(
-        "{{\n  {},\n  \"size\": [640, 360], \"samples\": 16, \"bounces\": 8,\n  \"scenes\": [\n",
-        hm::machine_json());
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-        hm::Result<std::string> json = hm::measure_scene(scenes[i], errors, aovs);
-        if (!json) {
-            fmt::print(stderr, "render_bench: {}\n", json.error().line());
-            return int(json.error().kind);
+    hm::JsonWriter json;
+    hm::write_machine(json.begin_object());
+    json.key("size").begin_array(hm::JsonLayout::compact).value(640).value(360).end_array();
+    json.field("samples", 16).field("bounces", 8).key("scenes").begin_array();
+    for (const std::string& scene : scenes) {
+        const hm::Result<void> measured = hm::measure_scene(json, scene, errors, aovs);
+        if (!measured) {
+            fmt::print(stderr, "render_bench: {}\n", measured.error().line());
+            return int(measured.error().kind);
         }
-        fmt::print("{}{}\n", *json, i + 1 < scenes.size() ? "," : "");
-        std::fflush(stdout);
     }
-    fmt::print("  ]\n}}\n");
+    json.end_array().end_object();
+    fmt::print("{}\n", json.text());
     return 0;
 }

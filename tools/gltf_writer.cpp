@@ -1,15 +1,11 @@
 #include "gltf_writer.h"
 
-#include <fmt/format.h>
-#include <spng.h>
-
+#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <limits>
-#include <memory>
 
 #include "base/files.h"
+#include "base/json_writer.h"
 
 namespace hm {
 namespace {
@@ -19,56 +15,65 @@ constexpr int kElementArrayBuffer = 34963;
 constexpr int kUnsignedShort = 5123;
 constexpr int kUnsignedInt = 5125;
 constexpr int kFloat = 5126;
+constexpr const char* kEmissiveStrength = "KHR_materials_emissive_strength";
+constexpr const char* kLightsPunctual = "KHR_lights_punctual";
 
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& values) {
     return std::as_bytes(std::span<const T>(values));
 }
 
-// Not fmt::join, which GCC 12 warns about at -O3.
-template <class Items>
-std::string joined(const Items& items, const std::string& separator) {
-    std::string text;
-    for (const std::string& item : items) {
-        if (!text.empty()) text += separator;
-        text += item;
-    }
-    return text;
+// The members of an object that `write` adds to a writer, as one line.
+template <class Write>
+std::string object_text(const Write& write) {
+    JsonWriter json;
+    json.begin_object(JsonLayout::compact);
+    write(json);
+    return json.end_object().text();
 }
 
-std::string json(glm::vec3 v) {
-    return fmt::format("[{},{},{}]", v.x, v.y, v.z);
+void write_vector(JsonWriter& json, std::string_view key, std::span<const float> vector) {
+    json.key(key).values(vector);
 }
 
 // Six digits: nodes are many, and a micrometre in a metre is enough for them.
-std::string short_json(glm::vec3 v) {
-    return fmt::format("[{:.6g},{:.6g},{:.6g}]", v.x, v.y, v.z);
+void write_rounded(JsonWriter& json, std::string_view key, std::span<const float> vector) {
+    json.key(key).begin_array();
+    for (const float x : vector)
+        json.value(double(x), 6);
+    json.end_array();
 }
 
-Result<std::vector<std::byte>> encode_png(const std::string& name, const Picture& picture) {
-    const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(SPNG_CTX_ENCODER),
-                                                                 spng_ctx_free);
-    spng_ihdr header{};
-    header.width = picture.width;
-    header.height = picture.height;
-    header.bit_depth = 8;
-    header.color_type = std::uint8_t(picture.channels == 1   ? SPNG_COLOR_TYPE_GRAYSCALE
-                                     : picture.channels == 3 ? SPNG_COLOR_TYPE_TRUECOLOR
-                                                             : SPNG_COLOR_TYPE_TRUECOLOR_ALPHA);
-    int error = context ? 0 : 1;
-    if (!error) error = spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
-    if (!error) error = spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, 9);
-    if (!error) error = spng_set_ihdr(context.get(), &header);
-    if (!error)
-        error = spng_encode_image(context.get(), picture.pixels.data(), picture.pixels.size(),
-                                  SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
-    std::size_t size = 0;
-    void* data = error ? nullptr : spng_get_png_buffer(context.get(), &size, &error);
-    if (error) return fail(ErrorKind::internal, name, "", spng_strerror(error));
-    std::vector<std::byte> bytes(size);
-    std::memcpy(bytes.data(), data, size);
-    std::free(data);
-    return bytes;
+template <class Vector>
+std::span<const float> components(const Vector& v) {
+    return {&v[0], std::size_t(v.length())};
+}
+
+void write_texture(JsonWriter& json, std::string_view key, int texture) {
+    if (texture >= 0) json.key(key).begin_object().field("index", texture).end_object();
+}
+
+// Only what differs from the format's defaults, apart from the factors.
+void write_material(JsonWriter& json, const GltfMaterial& m) {
+    json.key("pbrMetallicRoughness").begin_object();
+    write_vector(json, "baseColorFactor", components(m.color));
+    json.field("metallicFactor", m.metallic);
+    if (m.roughness) json.field("roughnessFactor", *m.roughness);
+    write_texture(json, "baseColorTexture", m.color_texture);
+    write_texture(json, "metallicRoughnessTexture", m.roughness_texture);
+    json.end_object();
+    if (m.normal_texture >= 0) {
+        json.key("normalTexture").begin_object().field("index", m.normal_texture);
+        json.field("scale", m.normal_scale).end_object();
+    }
+    if (m.two_sided) json.field("doubleSided", true);
+    if (m.alpha_mode != "OPAQUE") json.field("alphaMode", m.alpha_mode);
+    if (m.alpha_mode == "MASK") json.field("alphaCutoff", 0.5f);
+    if (m.emissive != glm::vec3(0)) write_vector(json, "emissiveFactor", components(m.emissive));
+    if (m.emissive_strength != 1) {
+        json.key("extensions").begin_object().key(kEmissiveStrength).begin_object();
+        json.field("emissiveStrength", m.emissive_strength).end_object().end_object();
+    }
 }
 
 void append_u32(std::vector<std::byte>& bytes, std::uint32_t value) {
@@ -80,20 +85,26 @@ void append_u32(std::vector<std::byte>& bytes, std::uint32_t value) {
 
 std::size_t GltfWriter::add_view(std::span<const std::byte> bytes, int target) {
     buffer_.resize((buffer_.size() + 3) / 4 * 4);
-    const std::string use = target ? fmt::format(",\"target\":{}", target) : "";
-    views_.push_back(fmt::format("{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}{}}}",
-                                 buffer_.size(), bytes.size(), use));
+    views_.push_back(object_text([&](JsonWriter& json) {
+        json.field("buffer", 0).field("byteOffset", buffer_.size());
+        json.field("byteLength", bytes.size());
+        if (target != 0) json.field("target", target);
+    }));
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
     return views_.size() - 1;
 }
 
 std::size_t GltfWriter::add_accessor(std::span<const std::byte> bytes, int target,
                                      int component_type, std::size_t count, const char* type,
-                                     const std::string& bounds) {
+                                     const std::optional<Bounds>& bounds) {
     const std::size_t view = add_view(bytes, target);
-    accessors_.push_back(
-        fmt::format("{{\"bufferView\":{},\"componentType\":{},\"count\":{},\"type\":\"{}\"{}}}",
-                    view, component_type, count, type, bounds));
+    accessors_.push_back(object_text([&](JsonWriter& json) {
+        json.field("bufferView", view).field("componentType", component_type);
+        json.field("count", count).field("type", type);
+        if (!bounds) return;
+        write_vector(json, "min", components(bounds->low));
+        write_vector(json, "max", components(bounds->high));
+    }));
     return accessors_.size() - 1;
 }
 
@@ -103,27 +114,24 @@ GltfPrimitive GltfWriter::add_primitive(const TriangleMesh& mesh, int material) 
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
-    const std::string bounds = fmt::format(",\"min\":{},\"max\":{}", json(low), json(high));
     const std::size_t count = mesh.positions.size();
-    std::vector<std::string> attributes;
-    const auto add = [&](const char* name, std::span<const std::byte> bytes, const char* type,
-                         const std::string& range) {
-        const std::size_t accessor = add_accessor(bytes, kArrayBuffer, kFloat, count, type, range);
-        attributes.push_back(fmt::format("\"{}\":{}", name, accessor));
+    const auto add = [&](std::span<const std::byte> bytes, const char* type,
+                         const std::optional<Bounds>& bounds = {}) {
+        return add_accessor(bytes, kArrayBuffer, kFloat, count, type, bounds);
     };
-    add("POSITION", bytes_of(mesh.positions), "VEC3", bounds);
-    add("NORMAL", bytes_of(mesh.normals), "VEC3", "");
     const MaterialNeeds needs = needs_[std::size_t(material)];
-    if (needs.tangents) add("TANGENT", bytes_of(mesh.tangents), "VEC4", "");
-    if (needs.uvs) add("TEXCOORD_0", bytes_of(mesh.uvs), "VEC2", "");
-
     Geometry geometry;
-    geometry.attributes = fmt::format("{{{}}}", joined(attributes, ","));
+    geometry.attributes = object_text([&](JsonWriter& json) {
+        json.field("POSITION", add(bytes_of(mesh.positions), "VEC3", Bounds{low, high}));
+        json.field("NORMAL", add(bytes_of(mesh.normals), "VEC3"));
+        if (needs.tangents) json.field("TANGENT", add(bytes_of(mesh.tangents), "VEC4"));
+        if (needs.uvs) json.field("TEXCOORD_0", add(bytes_of(mesh.uvs), "VEC2"));
+    });
     const bool narrow = count <= 65535;
     const std::vector<std::uint16_t> shorts(mesh.indices.begin(), mesh.indices.end());
     geometry.indices =
         add_accessor(narrow ? bytes_of(shorts) : bytes_of(mesh.indices), kElementArrayBuffer,
-                     narrow ? kUnsignedShort : kUnsignedInt, mesh.indices.size(), "SCALAR", "");
+                     narrow ? kUnsignedShort : kUnsignedInt, mesh.indices.size(), "SCALAR");
     geometries_.push_back(geometry);
     return {int(geometries_.size()) - 1, material};
 }
@@ -131,65 +139,74 @@ GltfPrimitive GltfWriter::add_primitive(const TriangleMesh& mesh, int material) 
 Result<int> GltfWriter::add_texture(const std::string& name, const Picture& picture) {
     HM_TRY_ASSIGN(const std::vector<std::byte> png, encode_png(name, picture));
     const std::size_t view = add_view(png, 0);
-    images_.push_back(fmt::format(
-        "{{\"name\":\"{}\",\"mimeType\":\"image/png\",\"bufferView\":{}}}", name, view));
-    textures_.push_back(fmt::format("{{\"sampler\":0,\"source\":{}}}", images_.size() - 1));
+    images_.push_back(object_text([&](JsonWriter& json) {
+        json.field("name", name).field("mimeType", "image/png").field("bufferView", view);
+    }));
+    textures_.push_back(object_text(
+        [&](JsonWriter& json) { json.field("sampler", 0).field("source", images_.size() - 1); }));
     return int(textures_.size()) - 1;
 }
 
-int GltfWriter::add_material(const std::string& name, const std::string& properties) {
-    for (std::size_t at = properties.find("\"KHR_"); at != std::string::npos;
-         at = properties.find("\"KHR_", at + 1))
-        extensions_.insert(properties.substr(at + 1, properties.find('"', at + 1) - at - 1));
-    needs_.push_back({properties.find("Texture\"") != std::string::npos,
-                      properties.find("\"normalTexture\"") != std::string::npos});
-    materials_.push_back(fmt::format("{{\"name\":\"{}\",{}}}", name, properties));
+int GltfWriter::add_material(const std::string& name, const GltfMaterial& material) {
+    if (material.emissive_strength != 1) extensions_.insert(kEmissiveStrength);
+    const bool normals = material.normal_texture >= 0;
+    needs_.push_back(
+        {normals || material.color_texture >= 0 || material.roughness_texture >= 0, normals});
+    materials_.push_back(object_text([&](JsonWriter& json) {
+        json.field("name", name);
+        write_material(json, material);
+    }));
     return int(materials_.size()) - 1;
 }
 
 int GltfWriter::add_mesh(const std::string& name, std::span<const GltfPrimitive> primitives) {
-    std::vector<std::string> parts;
-    for (const GltfPrimitive& p : primitives) {
-        const Geometry& geometry = geometries_[std::size_t(p.geometry)];
-        parts.push_back(fmt::format("{{\"attributes\":{},\"indices\":{},\"material\":{}}}",
-                                    geometry.attributes, geometry.indices, p.material));
-    }
-    meshes_.push_back(
-        fmt::format("{{\"name\":\"{}\",\"primitives\":[{}]}}", name, joined(parts, ",")));
+    meshes_.push_back(object_text([&](JsonWriter& json) {
+        json.field("name", name).key("primitives").begin_array();
+        for (const GltfPrimitive& p : primitives) {
+            const Geometry& geometry = geometries_[std::size_t(p.geometry)];
+            json.begin_object().key("attributes").raw(geometry.attributes);
+            json.field("indices", geometry.indices).field("material", p.material).end_object();
+        }
+        json.end_array();
+    }));
     return int(meshes_.size()) - 1;
 }
 
 int GltfWriter::add_camera(const std::string& name, float yfov, float aspect_ratio, float z_near) {
-    cameras_.push_back(
-        fmt::format("{{\"name\":\"{}\",\"type\":\"perspective\",\"perspective\":"
-                    "{{\"yfov\":{},\"aspectRatio\":{},\"znear\":{}}}}}",
-                    name, yfov, aspect_ratio, z_near));
+    cameras_.push_back(object_text([&](JsonWriter& json) {
+        json.field("name", name).field("type", "perspective").key("perspective").begin_object();
+        json.field("yfov", yfov).field("aspectRatio", aspect_ratio).field("znear", z_near);
+        json.end_object();
+    }));
     return int(cameras_.size()) - 1;
 }
 
 int GltfWriter::add_directional_light(const std::string& name, glm::vec3 color, float intensity) {
-    extensions_.insert("KHR_lights_punctual");
-    lights_.push_back(
-        fmt::format("{{\"name\":\"{}\",\"type\":\"directional\",\"color\":{},\"intensity\":{}}}",
-                    name, json(color), intensity));
+    extensions_.insert(kLightsPunctual);
+    lights_.push_back(object_text([&](JsonWriter& json) {
+        json.field("name", name).field("type", "directional");
+        write_vector(json, "color", components(color));
+        json.field("intensity", intensity);
+    }));
     return int(lights_.size()) - 1;
 }
 
 void GltfWriter::add_node(const GltfNode& node) {
-    std::string text = fmt::format("{{\"name\":\"{}\"", node.name);
-    if (node.mesh >= 0) text += fmt::format(",\"mesh\":{}", node.mesh);
-    if (node.camera >= 0) text += fmt::format(",\"camera\":{}", node.camera);
-    if (node.light >= 0)
-        text +=
-            fmt::format(",\"extensions\":{{\"KHR_lights_punctual\":{{\"light\":{}}}}}", node.light);
-    if (node.translation != glm::vec3(0))
-        text += fmt::format(",\"translation\":{}", short_json(node.translation));
-    if (node.rotation != glm::quat(1, 0, 0, 0)) {
+    nodes_.push_back(object_text([&](JsonWriter& json) {
+        json.field("name", node.name);
+        if (node.mesh >= 0) json.field("mesh", node.mesh);
+        if (node.camera >= 0) json.field("camera", node.camera);
+        if (node.light >= 0) {
+            json.key("extensions").begin_object().key(kLightsPunctual).begin_object();
+            json.field("light", node.light).end_object().end_object();
+        }
+        if (node.translation != glm::vec3(0))
+            write_rounded(json, "translation", components(node.translation));
         const glm::quat& q = node.rotation;
-        text += fmt::format(",\"rotation\":[{:.6g},{:.6g},{:.6g},{:.6g}]", q.x, q.y, q.z, q.w);
-    }
-    if (node.scale != glm::vec3(1)) text += fmt::format(",\"scale\":{}", short_json(node.scale));
-    nodes_.push_back(text + "}");
+        if (q != glm::quat(1, 0, 0, 0))
+            write_rounded(json, "rotation", std::array{q.x, q.y, q.z, q.w});
+        if (node.scale != glm::vec3(1)) write_rounded(json, "scale", components(node.scale));
+    }));
 }
 
 void GltfWriter::add_object(const std::string& name, const TriangleMesh& mesh, int material) {
@@ -198,33 +215,41 @@ void GltfWriter::add_object(const std::string& name, const TriangleMesh& mesh, i
 }
 
 std::string GltfWriter::document() const {
-    std::vector<std::string> parts;
-    const auto add_array = [&](const char* name, const std::vector<std::string>& items) {
-        if (!items.empty()) parts.push_back(fmt::format("\"{}\":[{}]", name, joined(items, ",\n")));
+    JsonWriter json;
+    const auto add_array = [&](const char* name, const std::vector<std::string>& items,
+                               JsonLayout layout = JsonLayout::lines) {
+        if (items.empty()) return;
+        json.key(name).begin_array(layout);
+        for (const std::string& item : items)
+            json.raw(item);
+        json.end_array();
     };
-    parts.push_back("\"asset\":{\"version\":\"2.0\",\"generator\":\"himalaya make_scenes\"}");
-    if (!extensions_.empty())
-        parts.push_back(fmt::format("\"extensionsUsed\":[\"{}\"]", joined(extensions_, "\",\"")));
-    if (!lights_.empty())
-        parts.push_back(
-            fmt::format("\"extensions\":{{\"KHR_lights_punctual\":{{\"lights\":[{}]}}}}",
-                        joined(lights_, ",")));
-    std::vector<std::string> all;
+    json.begin_object(JsonLayout::lines).key("asset").begin_object().field("version", "2.0");
+    json.field("generator", "himalaya make_scenes").end_object();
+    if (!extensions_.empty()) json.key("extensionsUsed").values(extensions_);
+    if (!lights_.empty()) {
+        json.key("extensions").begin_object().key(kLightsPunctual).begin_object();
+        add_array("lights", lights_, JsonLayout::compact);
+        json.end_object().end_object();
+    }
+    json.field("scene", 0).key("scenes").begin_array().begin_object().key("nodes").begin_array();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-        all.push_back(std::to_string(i));
-    parts.push_back(fmt::format("\"scene\":0,\"scenes\":[{{\"nodes\":[{}]}}]", joined(all, ",")));
+        json.value(i);
+    json.end_array().end_object().end_array();
     add_array("nodes", nodes_);
     add_array("meshes", meshes_);
     add_array("cameras", cameras_);
     add_array("materials", materials_);
-    if (!textures_.empty())
-        parts.push_back("\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987}]");
+    if (!textures_.empty()) {
+        json.key("samplers").begin_array().begin_object().field("magFilter", 9729);
+        json.field("minFilter", 9987).end_object().end_array();
+    }
     add_array("textures", textures_);
     add_array("images", images_);
     add_array("accessors", accessors_);
     add_array("bufferViews", views_);
-    parts.push_back(fmt::format("\"buffers\":[{{\"byteLength\":{}}}]", buffer_.size()));
-    return fmt::format("{{{}}}", joined(parts, ",\n"));
+    json.key("buffers").begin_array().begin_object().field("byteLength", buffer_.size());
+    return json.end_object().end_array().end_object().text();
 }
 
 Result<void> GltfWriter::write(const std::filesystem::path& path) const {

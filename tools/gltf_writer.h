@@ -1,29 +1,37 @@
-// Writes a glTF 2.0 binary (.glb): geometry that meshes share, PNG textures, nodes,
-// KHR_lights_punctual lights. Materials are given as the JSON text of their properties.
+// Writes a glTF 2.0 binary (.glb): geometry that meshes can share, materials, PNG textures, nodes,
+// KHR_lights_punctual lights.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "base/result.h"
+#include "picture.h"
 #include "shapes.h"
 
 namespace hm {
 
-// 8-bit pixels, rows from the top; 1, 3 or 4 channels.
-struct Picture {
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-    std::uint32_t channels = 3;
-    std::vector<std::uint8_t> pixels;
+// Textures are indices; -1 is none.
+struct GltfMaterial {
+    glm::vec4 color{1};
+    float metallic = 1;
+    std::optional<float> roughness = {};  // not written if absent; the format's default is 1
+    int color_texture = -1, roughness_texture = -1, normal_texture = -1;
+    float normal_scale = 1;
+    bool two_sided = false;
+    std::string_view alpha_mode = "OPAQUE";
+    glm::vec3 emissive{0};
+    float emissive_strength = 1;
 };
 
 struct GltfPrimitive {
@@ -50,9 +58,7 @@ class GltfWriter {
 
     Result<int> add_texture(const std::string& name, const Picture& picture);
 
-    // `properties` is what stands in the material's object after its name, e.g.
-    // "\"doubleSided\":true"; the extensions it names are declared.
-    int add_material(const std::string& name, const std::string& properties);
+    int add_material(const std::string& name, const GltfMaterial& material);
 
     int add_mesh(const std::string& name, std::span<const GltfPrimitive> primitives);
     int add_camera(const std::string& name, float yfov, float aspect_ratio, float z_near);
@@ -69,6 +75,9 @@ class GltfWriter {
         bool uvs = false;
         bool tangents = false;
     };
+    struct Bounds {
+        glm::vec3 low, high;
+    };
     struct Geometry {
         std::string attributes;  // JSON object
         std::size_t indices = 0;
@@ -76,12 +85,14 @@ class GltfWriter {
 
     std::size_t add_view(std::span<const std::byte> bytes, int target);
     std::size_t add_accessor(std::span<const std::byte> bytes, int target, int component_type,
-                             std::size_t count, const char* type, const std::string& bounds);
+                             std::size_t count, const char* type,
+                             const std::optional<Bounds>& bounds = {});
     std::string document() const;
 
     std::vector<std::byte> buffer_;
     std::vector<Geometry> geometries_;
     std::vector<MaterialNeeds> needs_;  // one per material
+    // JSON objects.
     std::vector<std::string> views_, accessors_, images_, textures_, materials_, meshes_, cameras_,
         lights_, nodes_;
     std::set<std::string> extensions_;

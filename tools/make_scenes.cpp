@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/files.h"
+#include "base/json_writer.h"
 #include "scenes.h"
 
 namespace hm {
@@ -11,10 +12,11 @@ namespace hm {
 Result<void> write_scene(const std::filesystem::path& folder, const std::string& name,
                          const GltfWriter& writer, const DefaultFlags& flags) {
     HM_TRY(writer.write(folder / (name + ".glb")));
-    std::string text;
+    JsonWriter json;
+    json.begin_object();
     for (const auto& [flag, value] : flags)
-        text += fmt::format("{}  \"{}\": \"{}\"", text.empty() ? "{\n" : ",\n", flag, value);
-    text += "\n}\n";
+        json.field(flag, value);
+    const std::string text = json.end_object().text() + "\n";
     return write_file_atomically(folder / (name + ".json"),
                                  std::as_bytes(std::span<const char>(text)));
 }

@@ -1,9 +1,8 @@
 // The Cornell box as it was measured at Cornell University (room, blocks, lamp and camera in
 // millimetres; reflectances and lamp as linear Rec.709). The lamp hangs a millimetre below the
 // ceiling.
-#include <fmt/format.h>
-
 #include <array>
+#include <cmath>
 
 #include "scenes.h"
 
@@ -38,10 +37,7 @@ TriangleMesh make_block(const Corners& top_mm) {
 }
 
 int add_diffuse(GltfWriter& writer, const char* name, glm::vec3 color) {
-    return writer.add_material(
-        name, fmt::format("\"pbrMetallicRoughness\":{{\"baseColorFactor\":[{},{},{},1],"
-                          "\"metallicFactor\":0}}",
-                          color.x, color.y, color.z));
+    return writer.add_material(name, {.color = glm::vec4(color, 1), .metallic = 0});
 }
 
 }  // namespace
@@ -51,11 +47,10 @@ Result<void> write_cornell(const std::filesystem::path& folder) {
     const int white = add_diffuse(writer, "white", {0.725f, 0.71f, 0.68f});
     const int red = add_diffuse(writer, "red", {0.63f, 0.065f, 0.05f});
     const int green = add_diffuse(writer, "green", {0.14f, 0.45f, 0.091f});
-    const int lamp = writer.add_material(
-        "lamp",
-        "\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.78,0.78,0.78,1],\"metallicFactor\":0},"
-        "\"emissiveFactor\":[1,0.705882,0.235294],"
-        "\"extensions\":{\"KHR_materials_emissive_strength\":{\"emissiveStrength\":17}}");
+    const int lamp = writer.add_material("lamp", {.color = {0.78f, 0.78f, 0.78f, 1},
+                                                  .metallic = 0,
+                                                  .emissive = {1, 0.705882f, 0.235294f},
+                                                  .emissive_strength = 17});
 
     const auto add = [&](const char* name, const Corners& corners, int material) {
         writer.add_object(name, make_measured_quad(corners), material);

@@ -33,7 +33,7 @@ Result<void> write_hero(const std::filesystem::path& folder) {
     HM_TRY(write_hero_sky(folder / "hero_sky.hdr"));
     return write_scene(
         folder, "hero", writer,
-        {{"size", "1280x720"}, {"spp", "256"}, {"env", "hero_sky.hdr"}, {"exposure", "0.15"}});
+        {{"size", "1280x720"}, {"spp", "64"}, {"env", "hero_sky.hdr"}, {"exposure", "0.15"}});
 }
 
 }  // namespace hm

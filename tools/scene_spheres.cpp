@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -25,10 +26,9 @@ void add_spheres(GltfWriter& writer) {
         for (std::size_t column = 0; column < kRoughness.size(); ++column) {
             const std::string name =
                 fmt::format("metallic {} roughness {}", kMetallic[row], kRoughness[column]);
-            const int material = writer.add_material(
-                name, fmt::format("\"pbrMetallicRoughness\":{{\"baseColorFactor\":[{},{},{},1],"
-                                  "\"metallicFactor\":{},\"roughnessFactor\":{}}}",
-                                  kGold.x, kGold.y, kGold.z, kMetallic[row], kRoughness[column]));
+            const int material = writer.add_material(name, {.color = glm::vec4(kGold, 1),
+                                                            .metallic = kMetallic[row],
+                                                            .roughness = kRoughness[column]});
             const GltfPrimitive primitive = geometry < 0 ? writer.add_primitive(sphere, material)
                                                          : GltfPrimitive{geometry, material};
             geometry = primitive.geometry;
@@ -58,14 +58,11 @@ TriangleMesh make_backdrop() {
 
 // A lamp that shines from its front towards `target`.
 void add_lamp(GltfWriter& writer, const char* name, glm::vec3 center, glm::vec3 target,
-              glm::vec2 size, const char* color, float strength) {
+              glm::vec2 size, glm::vec3 color, float strength) {
     TriangleMesh quad = make_quad({-size.x / 2, -size.y / 2, 0}, {size.x, 0, 0}, {0, size.y, 0});
     const int material = writer.add_material(
-        name, fmt::format("\"pbrMetallicRoughness\":{{\"baseColorFactor\":[0,0,0,1],"
-                          "\"metallicFactor\":0}},\"emissiveFactor\":{},"
-                          "\"extensions\":{{\"KHR_materials_emissive_strength\":"
-                          "{{\"emissiveStrength\":{}}}}}",
-                          color, strength));
+        name,
+        {.color = {0, 0, 0, 1}, .metallic = 0, .emissive = color, .emissive_strength = strength});
     const GltfPrimitive primitive = writer.add_primitive(quad, material);
     // The quad faces +z; look_rotation turns -z towards what it looks at.
     writer.add_node({.name = name,
@@ -80,15 +77,13 @@ Result<void> write_spheres(const std::filesystem::path& folder) {
     GltfWriter writer;
     add_spheres(writer);
     TriangleMesh backdrop = make_backdrop();
-    writer.add_object("backdrop", backdrop,
-                      writer.add_material("paper",
-                                          "\"pbrMetallicRoughness\":{\"baseColorFactor\":"
-                                          "[0.13,0.135,0.15,1],\"metallicFactor\":0,"
-                                          "\"roughnessFactor\":0.9}"));
+    const int paper = writer.add_material(
+        "paper", {.color = {0.13f, 0.135f, 0.15f, 1}, .metallic = 0, .roughness = 0.9f});
+    writer.add_object("backdrop", backdrop, paper);
     const glm::vec3 middle(0, 2.5f, 0);
-    add_lamp(writer, "key", {-9, 8, 5}, middle, {4, 4}, "[1,0.93,0.82]", 30);
-    add_lamp(writer, "fill", {8, 5, 8}, middle, {2, 5}, "[0.75,0.87,1]", 8);
-    add_lamp(writer, "top", {0, 9.5f, 0}, middle, {9, 1}, "[1,1,1]", 6);
+    add_lamp(writer, "key", {-9, 8, 5}, middle, {4, 4}, {1, 0.93f, 0.82f}, 30);
+    add_lamp(writer, "fill", {8, 5, 8}, middle, {2, 5}, {0.75f, 0.87f, 1}, 8);
+    add_lamp(writer, "top", {0, 9.5f, 0}, middle, {9, 1}, {1, 1, 1}, 6);
 
     const glm::vec3 eye(0, 3.0f, 13);
     writer.add_node({.name = "camera",

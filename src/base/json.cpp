@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -13,6 +14,10 @@ namespace {
 
 namespace dom = simdjson::dom;
 
+constexpr double kMaxFloat = double(std::numeric_limits<float>::max());
+// Half a step above: what is smaller rounds to a float. The largest float is often written as
+// 3.4028235e38, which is above it.
+constexpr double kFloatOverflow = 0x1.ffffffp127;
 constexpr double kMaxInteger = 9007199254740992.0;  // 2^53: doubles hold every integer below
 
 std::string_view type_name(dom::element_type type) {
@@ -250,10 +255,10 @@ Result<Number> Json::to_number(JsonNode node, const Pointer& pointer) const {
     const dom::element value = to_element(node);
     double number = 0;
     if (value.get(number) != simdjson::SUCCESS) return mistyped(pointer(), "a number", node);
-    if (std::abs(number) > double(std::numeric_limits<float>::max()))
+    if (std::abs(number) >= kFloatOverflow)
         return hm::fail(ErrorKind::invalid, context_->file, pointer(),
                         fmt::format("{} does not fit a 32-bit float", number));
-    return static_cast<Number>(number);
+    return static_cast<Number>(std::clamp(number, -kMaxFloat, kMaxFloat));
 }
 
 Result<std::optional<std::uint64_t>> Json::integer(std::string_view key) const {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -85,6 +86,14 @@ TEST(Json, ValuesOfAnyType) {
     EXPECT_EQ(root.real("n").value(), 16777217.0);
     EXPECT_FALSE(root.at("/a~1b/7"));
     EXPECT_FALSE(root.at("/n/0"));
+}
+
+TEST(Json, TheLargestFloatWithTheDigitsThatItIsWrittenWith) {
+    constexpr float kMax = std::numeric_limits<float>::max();
+    const JsonDocument document =
+        parse(R"({"fits":[3.4028235e38,-3.4028235e38],"larger":3.4028236e38})").value();
+    EXPECT_EQ(document.root().number_list("fits").value(), (std::vector<float>{kMax, -kMax}));
+    EXPECT_EQ(document.root().number("larger").error().location, "/larger");
 }
 
 TEST(Json, ObjectsAreCheckedBeforeTheyAreReturned) {

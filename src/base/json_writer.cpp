@@ -8,42 +8,52 @@
 
 namespace hm {
 
+JsonLayout JsonWriter::inherited_layout() const {
+    if (open_.empty()) return JsonLayout::indented;
+    return open_.back() == JsonLayout::lines ? JsonLayout::compact : open_.back();
+}
+
+void JsonWriter::break_line() {
+    text_ += '\n';
+    text_.append(2 * open_.size(), ' ');
+}
+
 void JsonWriter::separate() {
     if (after_key_) {
         after_key_ = false;
         return;
     }
-    if (depth_ == 0) return;
+    if (open_.empty()) return;
     if (!first_) text_ += ',';
-    text_ += '\n';
-    text_.append(std::size_t(2 * depth_), ' ');
+    if (open_.back() == JsonLayout::indented) break_line();
+    if (open_.back() == JsonLayout::lines && !first_) text_ += '\n';
     first_ = false;
 }
 
-JsonWriter& JsonWriter::open(char bracket) {
+JsonWriter& JsonWriter::open(char bracket, JsonLayout layout) {
     separate();
     text_ += bracket;
-    ++depth_;
+    open_.push_back(layout);
     first_ = true;
     return *this;
 }
 
 JsonWriter& JsonWriter::close(char bracket) {
-    --depth_;
-    if (!first_) {
-        text_ += '\n';
-        text_.append(std::size_t(2 * depth_), ' ');
-    }
+    const JsonLayout layout = open_.back();
+    open_.pop_back();
+    if (layout == JsonLayout::indented && !first_) break_line();
     text_ += bracket;
     first_ = false;
     return *this;
 }
 
-// Control characters and bytes that are not UTF-8 are made printable first, so only quotes and
-// backslashes are left to escape.
 void JsonWriter::quote(std::string_view text) {
     text_ += '"';
-    for (const char c : printable(text)) {
+    for (const char c : strings_ == JsonText::exact ? std::string(text) : printable(text)) {
+        if (static_cast<unsigned char>(c) < 0x20) {
+            text_ += fmt::format("\\u{:04x}", unsigned(c));
+            continue;
+        }
         if (c == '"' || c == '\\') text_ += '\\';
         text_ += c;
     }
@@ -53,7 +63,7 @@ void JsonWriter::quote(std::string_view text) {
 JsonWriter& JsonWriter::key(std::string_view name) {
     separate();
     quote(name);
-    text_ += ": ";
+    text_ += !open_.empty() && open_.back() == JsonLayout::indented ? ": " : ":";
     after_key_ = true;
     return *this;
 }
@@ -64,28 +74,30 @@ JsonWriter& JsonWriter::value(std::string_view text) {
     return *this;
 }
 
-JsonWriter& JsonWriter::value(double number) {
-    separate();
-    text_ += std::isfinite(number) ? fmt::format("{:.9g}", number) : "null";
-    return *this;
+JsonWriter& JsonWriter::value(double number, int digits) {
+    return raw(std::isfinite(number) ? fmt::format("{:.{}g}", number, digits) : "null");
+}
+
+JsonWriter& JsonWriter::value(float number) {
+    return raw(std::isfinite(number) ? fmt::format("{}", number) : "null");
 }
 
 JsonWriter& JsonWriter::value(bool truth) {
+    return raw(truth ? "true" : "false");
+}
+
+JsonWriter& JsonWriter::raw(std::string_view json) {
     separate();
-    text_ += truth ? "true" : "false";
+    text_ += json;
     return *this;
 }
 
-JsonWriter& JsonWriter::null() {
-    separate();
-    text_ += "null";
-    return *this;
+JsonWriter& JsonWriter::raw_unsigned(std::uint64_t number) {
+    return raw(fmt::format("{}", number));
 }
 
-JsonWriter& JsonWriter::integer(std::uint64_t number) {
-    separate();
-    text_ += fmt::format("{}", number);
-    return *this;
+JsonWriter& JsonWriter::raw_signed(std::int64_t number) {
+    return raw(fmt::format("{}", number));
 }
 
 }  // namespace hm

@@ -1,7 +1,5 @@
 #include "base/machine.h"
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <ctime>
 #include <fstream>
@@ -26,9 +24,9 @@ std::string build_commit() {
     return HM_COMMIT;
 }
 
-std::string machine_json() {
-    return fmt::format("\"cpu\": \"{}\", \"threads\": {}, \"commit\": \"{}\", \"compiler\": \"{}\"",
-                       cpu_model(), cpu_threads(), build_commit(), __VERSION__);
+void write_machine(JsonWriter& json) {
+    json.field("cpu", cpu_model()).field("threads", cpu_threads());
+    json.field("commit", build_commit()).field("compiler", __VERSION__);
 }
 
 double wall_seconds() {

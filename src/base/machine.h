@@ -1,8 +1,9 @@
-// The machine that this runs on, and the build that runs: for reports. Every benchmark's JSON
-// begins with it.
+// The machine that this runs on, and the build that runs: for reports.
 #pragma once
 
 #include <string>
+
+#include "base/json_writer.h"
 
 namespace hm {
 
@@ -10,9 +11,8 @@ std::string cpu_model();     // "AMD EPYC 9654 96-Core Processor", or "unknown"
 unsigned cpu_threads();      // those that this process may use
 std::string build_commit();  // "62a7270", "62a7270-dirty" or "unknown"
 
-// "cpu": ..., "threads": ..., "commit": ..., "compiler": ... as the members of a JSON object, no
-// braces.
-std::string machine_json();
+// "cpu", "threads", "commit" and "compiler": what every benchmark's JSON object begins with.
+void write_machine(JsonWriter& json);
 
 // Wall-clock seconds from an arbitrary start.
 double wall_seconds();

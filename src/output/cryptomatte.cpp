@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/check.h"
+#include "base/json_writer.h"
 
 namespace hm {
 namespace {
@@ -35,19 +36,6 @@ std::vector<Coverage> rank_ids(const IdList& list, float weight, std::span<const
     std::stable_sort(ranked.begin(), ranked.end(),
                      [](const Coverage& a, const Coverage& b) { return a.coverage > b.coverage; });
     return ranked;
-}
-
-std::string json_string(std::string_view text) {
-    std::string json = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\')
-            json += {'\\', c};
-        else if (static_cast<unsigned char>(c) < 0x20)
-            json += fmt::format("\\u{:04x}", unsigned(c));
-        else
-            json += c;
-    }
-    return json + '"';
 }
 
 }  // namespace
@@ -118,13 +106,15 @@ Metadata cryptomatte_metadata(Aov aov, const CryptomatteNames& names) {
     std::map<std::string, std::uint32_t> manifest;
     for (const std::string& name : names_of(aov, names))
         manifest[name] = std::bit_cast<std::uint32_t>(cryptomatte_id(name));
-    std::string json;
+    JsonWriter json(JsonText::exact);
+    json.begin_object(JsonLayout::compact);
     for (const auto& [name, id] : manifest)
-        json += fmt::format("{}{}:\"{:08x}\"", json.empty() ? "" : ",", json_string(name), id);
+        json.field(name, fmt::format("{:08x}", id));
+    json.end_object();
     return {{key + "name", layer},
             {key + "hash", "MurmurHash3_32"},
             {key + "conversion", "uint32_to_float32"},
-            {key + "manifest", "{" + json + "}"}};
+            {key + "manifest", json.text()}};
 }
 
 }  // namespace hm

@@ -7,17 +7,10 @@
 #include <functional>
 #include <map>
 
+#include "base/json_writer.h"
+
 namespace hm::corpus {
 namespace {
-
-std::string json_string(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
-    }
-    return out + '"';
-}
 
 std::string_view name(Expected::Outcome outcome) {
     switch (outcome) {
@@ -31,17 +24,13 @@ std::string_view name(Expected::Outcome outcome) {
     return "";
 }
 
-std::string entry(const Case& c) {
+void write_entry(JsonWriter& json, const Case& c) {
     const Expected& e = c.expected;
-    return fmt::format(
-        "  {{\"file\": {}, \"rule\": {}, \"section\": {}, \"loader\": {}, \"kind\": {},\n"
-        "   \"place\": {}, \"message\": {}, \"reason\": {},\n"
-        "   \"validator\": {}, \"validatorReason\": {}}}",
-        json_string(c.file), json_string(c.rule), json_string(c.section),
-        json_string(name(e.outcome)), json_string(e.kind ? name_of(*e.kind) : ""),
-        json_string(e.pointer), json_string(e.message), json_string(e.reason),
-        c.validator_silence.empty() ? "\"error\"" : "\"no error\"",
-        json_string(c.validator_silence));
+    json.begin_object().field("file", c.file).field("rule", c.rule).field("section", c.section);
+    json.field("loader", name(e.outcome)).field("kind", e.kind ? name_of(*e.kind) : "");
+    json.field("pointer", e.pointer).field("message", e.message).field("reason", e.reason);
+    json.field("validator", c.validator_silence.empty() ? "error" : "no error");
+    json.field("validatorReason", c.validator_silence).end_object();
 }
 
 using ByReason = std::map<std::string, std::vector<const Case*>>;
@@ -86,13 +75,14 @@ A renderer shows what can be shown; a checker says what is wrong.
 }  // namespace
 
 std::string manifest(const std::vector<Case>& valid, const std::vector<Case>& broken) {
-    std::string out = "{\"valid\": [";
-    for (std::size_t i = 0; i < valid.size(); ++i)
-        out += fmt::format("{}{}", i == 0 ? "" : ", ", json_string(valid[i].file));
-    out += "],\n \"broken\": [\n";
-    for (std::size_t i = 0; i < broken.size(); ++i)
-        out += fmt::format("{}{}", i == 0 ? "" : ",\n", entry(broken[i]));
-    return out + "\n]}\n";
+    JsonWriter json(JsonText::exact);
+    json.begin_object(JsonLayout::lines).key("valid").begin_array();
+    for (const Case& c : valid)
+        json.value(c.file);
+    json.end_array().key("broken").begin_array(JsonLayout::lines);
+    for (const Case& c : broken)
+        write_entry(json, c);
+    return json.end_array().end_object().text() + "\n";
 }
 
 std::string disagreements(const std::vector<Case>& broken) {

@@ -76,8 +76,7 @@ Result<ExitCode> bench(const BenchOptions& options) {
     HM_TRY_ASSIGN(const std::unique_ptr<RenderDevice> device,
                   open_device(options.device, diagnostics));
     JsonWriter json;
-    json.begin_object().field("cpu", cpu_model()).field("threads", cpu_threads());
-    json.field("commit", build_commit()).field("compiler", __VERSION__);
+    write_machine(json.begin_object());
     json.key("size").begin_array().value(options.width).value(options.height).end_array();
     json.key("scenes").begin_array();
     for (const std::string& input : options.inputs) {
