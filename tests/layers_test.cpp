@@ -1,5 +1,5 @@
-// Who may include whom: the rooms of src/ and the layers that docs/architecture.md draws. CMake's
-// links say the same, but an include of a header-only room would compile without a link.
+// Checks the includes between the folders of src/ against the layers in docs/architecture.md.
+// CMake's links have the same layers, but includes of header-only folders compile without a link.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -73,10 +73,10 @@ void check_picture(const FloatImage& image, const FloatImage& like) {
              image.pixels.size(), like.width, like.height);
 }
 
-// Smaller pictures are continued (mirror.h).
+// Smaller pictures are padded (mirror.h).
 constexpr std::uint32_t kSmallestSide = 128;
 
-// Negative values become 0; returns how many pixels had one.
+// Replaces negative values by 0; returns the number of such pixels.
 std::uint64_t clip_negative(Floats& values, std::size_t channels) {
     std::uint64_t pixels = 0;
     for (std::size_t i = 0; i < values.size(); i += channels) {
@@ -90,7 +90,7 @@ std::uint64_t clip_negative(Floats& values, std::size_t channels) {
     return pixels;
 }
 
-// `channels` of each pixel's four, from `first` on.
+// `channels` of each pixel's four channels, starting at `first`.
 Floats pick(const FloatImage& image, std::ptrdiff_t first, std::ptrdiff_t channels) {
     Floats out;
     out.reserve(image.pixels.size() * std::size_t(channels));
@@ -107,8 +107,8 @@ Floats pick_within(const FloatImage& image, float low, float high, std::uint64_t
     return values;
 }
 
-// What brings the picture's mean luminance to a grey that the library was trained on; 1 where it is
-// within a thousand times of that already, or black.
+// The scale that brings the mean luminance to a grey like that of the library's training data; 1 if
+// it is within a factor of a thousand, or black.
 float sane_scale(const Floats& color) {
     constexpr double kGrey = 0.18, kFar = 1000.0;
     double sum = 0;
@@ -130,7 +130,7 @@ bool is_certain(const Floats& alpha, std::size_t i, std::size_t width) {
     return true;
 }
 
-// Where every pixel has the same there is no noise to take out.
+// Constant alpha has no noise.
 bool varies(const Floats& values) {
     return std::any_of(values.begin(), values.end(), [&](float v) { return v != values.front(); });
 }
@@ -146,7 +146,7 @@ struct Denoiser::Impl {
         if (device != nullptr) api.ReleaseDevice(device);
     }
 
-    // The first thing that went wrong since the last call.
+    // The first error since the last call.
     Result<void> status(const char* doing) const {
         const char* message = nullptr;
         const oidn::ErrorCode code = api.GetDeviceError(device, &message);
@@ -159,7 +159,7 @@ struct Denoiser::Impl {
 
 namespace {
 
-// One filter over images of one size; what it needs lives as long as it does.
+// A filter for images of one size; owns its buffers.
 class Filter {
   public:
     Filter(const oidn::Api& api, oidn::Device device, const FloatImage& size)
@@ -232,7 +232,7 @@ Result<Denoiser> Denoiser::open(DenoiseDevice wanted, unsigned threads) {
     HM_TRY(impl->status("opening the device"));
     if (found.type == oidn::kCpu) {
         impl->api.SetDeviceInt(impl->device, "numThreads", int(threads));
-        // The threads are shared with the renderer, which wants them where the system puts them.
+        // The threads are shared with the renderer, so they must not be pinned.
         impl->api.SetDeviceBool(impl->device, "setAffinity", false);
     }
     impl->api.CommitDevice(impl->device);
@@ -250,7 +250,7 @@ Result<Denoised> Denoiser::denoise_mirrored(const DenoiseInput& input) const {
     FloatImage images[3];
     DenoiseInput larger = input;
     const FloatImage** const pictures[] = {&larger.beauty, &larger.albedo, &larger.normal};
-    std::uint64_t replaced = 0;  // without the mirror images
+    std::uint64_t replaced = 0;  // without the padding
     for (std::size_t i = 0; i < 3; ++i) {
         if (*pictures[i] == nullptr) continue;
         check_picture(**pictures[i], *input.beauty);
@@ -292,7 +292,7 @@ Result<Denoised> Denoiser::denoise(const DenoiseInput& input) const {
         guides.push_back({name, std::move(values)});
     };
     add_guide("albedo", input.albedo, 0, 1);
-    // The library does not take normals without an albedo.
+    // The library does not accept normals without albedo.
     HM_CHECK(input.albedo != nullptr || input.normal == nullptr, "a normal without an albedo");
     add_guide("normal", input.normal, -1, 1);
 
@@ -322,7 +322,8 @@ Result<Denoised> Denoiser::denoise(const DenoiseInput& input) const {
     for (float& v : color)
         v /= scale;
     const Floats noisy_alpha = alpha;
-    // As radiance too: as a value of a display it would be averaged along a curve, to another mean.
+    // Also in HDR mode: in LDR mode it would be averaged through a tone curve, which shifts the
+    // mean.
     if (input.alpha && varies(alpha)) filter_with_guides(alpha);
     HM_TRY(impl_->status("filtering"));
 

@@ -15,7 +15,7 @@ bool is_finite(std::span<const float> pixel) {
     return std::all_of(pixel.begin(), pixel.end(), [](float v) { return std::isfinite(v); });
 }
 
-// The finite pixels among the nine around pixel i; nothing where there are none.
+// Mean of the finite pixels among pixel i and its neighbours; nullopt if there are none.
 std::optional<std::vector<float>> mean_around(std::size_t i, std::span<const float> values,
                                               std::size_t width, std::size_t channels) {
     const std::size_t height = values.size() / channels / width;
@@ -52,8 +52,8 @@ std::uint64_t replace_non_finite(std::span<float> values, std::size_t width, std
         return replaced;
     }
 
-    // Rings from the outside: the means of a ring are taken before any is written, so that none
-    // depends on another.
+    // Fills holes ring by ring from their edges: all means of a ring are computed before any is
+    // written, so that they are independent.
     while (!broken.empty()) {
         std::vector<std::pair<std::size_t, std::vector<float>>> ring;
         std::vector<std::size_t> inside;

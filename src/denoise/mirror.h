@@ -1,16 +1,16 @@
-// Small pictures made larger: a filter over a neighbourhood takes what lies beyond the edges for
-// black, which darkens pictures of a few pixels.
+// Padding of small pictures: the denoiser treats everything beyond the edges as black, which
+// darkens pictures of a few pixels.
 #pragma once
 
 #include "image/image.h"
 
 namespace hm {
 
-// The picture in the middle of one of at least `side` pixels each way, continued by its mirror
-// images.
+// The picture in the centre of one with at least `side` pixels in each dimension, padded by
+// mirroring.
 FloatImage mirrored(const FloatImage& image, std::uint32_t side);
 
-// The part of a picture that `mirrored` made that is the picture itself.
+// The inverse of `mirrored`: crops to the original picture.
 FloatImage middle(const FloatImage& image, std::uint32_t width, std::uint32_t height);
 
 }  // namespace hm

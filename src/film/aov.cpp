@@ -91,7 +91,8 @@ tl::expected<std::vector<Aov>, std::string> parse_aovs(std::string_view text) {
             if (name == "all" ? kAovs[i].aov == Aov::variance : name != kAovs[i].name) continue;
             chosen[i] = known = true;
         }
-        if (!known) return tl::unexpected(fmt::format("\"{}\" is none of {}", name, known_names()));
+        if (!known)
+            return tl::unexpected(fmt::format("\"{}\" is not one of {}", name, known_names()));
     }
     std::vector<Aov> aovs;
     for (std::size_t i = 0; i < kAovs.size(); ++i)

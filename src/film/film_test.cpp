@@ -136,7 +136,7 @@ TEST(Aov, NamesAreParsed) {
     for (const char* text : {"", "albedo,", "Albedo", "albedo normal"}) {
         const auto parsed = parse_aovs(text);
         ASSERT_FALSE(parsed) << text;
-        EXPECT_NE(parsed.error().find("none of albedo, metallic"), std::string::npos);
+        EXPECT_NE(parsed.error().find("not one of albedo, metallic"), std::string::npos);
     }
 }
 

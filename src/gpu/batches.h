@@ -1,7 +1,7 @@
 // How much work one submission gets (rows of the picture times samples), so that it runs for about
 // kBatchMilliseconds: long enough to fill a device, short enough that no driver times out and
 // cancelling is quick. And whether its samples share a launch. Plain data; timings only decide
-// where a picture is split, which changes none of its bits.
+// where a picture is split, which does not change the result.
 #pragma once
 
 #include <array>

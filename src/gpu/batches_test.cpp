@@ -65,8 +65,8 @@ TEST(Batches, NoLaunchIsLargerThanTheDeviceTakes) {
     EXPECT_EQ(sizer.rows(Launches::loop), 50u);
 }
 
-// Whole pictures of 40 ms show which way of launching is faster, and no batch takes longer, however
-// slow the other way is.
+// Whole pictures of 40 ms show which launch mode is faster, and no batch takes longer, however slow
+// the other mode is.
 TEST(Batches, TheFasterWayOfLaunchingIsFoundInTime) {
     for (const double ratio : {0.1, 0.9, 1.1, 20.0}) {
         BatchSizer sizer(64, 64, 1u << 30);
@@ -85,7 +85,7 @@ TEST(Batches, TheFasterWayOfLaunchingIsFoundInTime) {
     }
 }
 
-// Where a batch is one sample or a band of one, both ways of launching are the same.
+// If a batch is one sample or a band of one, both launch modes are the same.
 TEST(Batches, SingleSamplesTellNothingOfLaunches) {
     BatchSizer sizer(1920, 1080, 1u << 30);
     BatchCutter cutter(1080, 0, 40);

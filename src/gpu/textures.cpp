@@ -41,7 +41,7 @@ Result<void> check_sides(const rhi::Device& device, const FlatScene& scene,
             return fail(ErrorKind::unsupported, "", "",
                         name_of(i) + " is " + std::to_string(view.width) + " x " +
                             std::to_string(view.height) + ", " + device.physical().name +
-                            " takes up to " + std::to_string(most));
+                            " supports up to " + std::to_string(most));
     }
     return {};
 }
@@ -71,7 +71,7 @@ Result<GpuTextures> GpuTextures::upload(rhi::Device& device, rhi::Uploader& uplo
     if (scene.images.size() > room)
         return fail(ErrorKind::unsupported, "", "",
                     "the scene has " + std::to_string(scene.images.size()) + " images, " +
-                        device.physical().name + " takes " + std::to_string(room));
+                        device.physical().name + " supports " + std::to_string(room));
     const std::vector<bool> used = used_images(scene);
     HM_TRY(check_sides(device, scene, used));
     GpuTextures out;

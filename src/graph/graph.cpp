@@ -140,14 +140,14 @@ void Graph::barriers(rhi::Commands& commands, const std::vector<PlannedBarrier>&
 
 const rhi::Image& Graph::image_of(Ref ref) const {
     const rhi::Image* image = resources_[ref.resource].image;
-    HM_CHECK(image != nullptr, "{} is no image, or no pass uses it",
+    HM_CHECK(image != nullptr, "{} is not an image, or no pass uses it",
              declaration_.resources[ref.resource].name);
     return *image;
 }
 
 const rhi::Buffer& Graph::buffer_of(Ref ref) const {
     const rhi::Buffer* buffer = resources_[ref.resource].buffer;
-    HM_CHECK(buffer != nullptr, "{} is no buffer, or no pass uses it",
+    HM_CHECK(buffer != nullptr, "{} is not a buffer, or no pass uses it",
              declaration_.resources[ref.resource].name);
     return *buffer;
 }

@@ -113,7 +113,7 @@ constexpr std::array<SizedType, 24> kSizedTypes{{
     {"v3i", 12},
 }};
 
-// Names, each with 16 bytes behind it, ended by an empty one.
+// Names followed by 16 bytes each; an empty name ends the list.
 bool is_channel_list(Bytes value) {
     Cursor cursor(value);
     for (;;) {

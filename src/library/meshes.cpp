@@ -101,7 +101,7 @@ std::uint32_t Scene::add_texture(const Texture& texture) {
         const std::size_t bytes = std::size_t(texture.width) * texture.height * 4;
         if (texture.rgba.size() != bytes)
             refuse(
-                fmt::format("the texture has {} bytes in place of {}", texture.rgba.size(), bytes));
+                fmt::format("the texture has {} bytes, expected {}", texture.rgba.size(), bytes));
         hm::Image8 image(texture.width, texture.height);
         for (std::size_t i = 0; i < bytes; ++i)
             image.pixels[i / 4][i % 4] = texture.rgba[i];

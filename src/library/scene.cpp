@@ -39,7 +39,7 @@ Scene Scene::load(const std::filesystem::path& gltf, const LoadSettings& setting
 void Scene::add_instance(std::uint32_t mesh, const Matrix& transform, const std::string& name) {
     guarded([&] {
         hm::Scene& scene = impl_->scene;
-        if (mesh >= scene.meshes.size()) refuse("there is no mesh of this index");
+        if (mesh >= scene.meshes.size()) refuse("there is no mesh with this index");
         hm::Node node;
         node.name = name;
         node.mesh = int(mesh);

@@ -75,7 +75,7 @@ void check_number(double value, double low, double high, const char* setting) {
         throw Error(ErrorKind::invalid_argument, "is out of range or not finite", {}, {}, setting);
 }
 
-// What flags refuse when they are parsed.
+// The range checks that the command line does when it parses flags.
 void check(const RenderSettings& s) {
     constexpr double kMost = 1e15;
     if (s.sampling.samples == 0 || s.sampling.samples > hm::kMaxSamples)

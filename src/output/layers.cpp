@@ -144,7 +144,7 @@ tl::expected<std::vector<std::string>, std::string> parse_half(std::string_view 
             chosen.push_back(name);
         else
             return tl::unexpected(fmt::format(
-                "\"{}\" is none of the layers that 16 bits may hold: {}all", name, fit));
+                "\"{}\" is not one of the layers that can be stored in 16 bits: {}all", name, fit));
     }
     return chosen;
 }

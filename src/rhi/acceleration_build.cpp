@@ -202,7 +202,7 @@ Result<AccelerationStructure> build_tlas(Device& device, const std::string& name
                                          BuildReport& report) {
     if (instances.size() > device.limits().max_instances)
         return fail(ErrorKind::device_failed, "Vulkan", name,
-                    fmt::format("{} instances; the device takes {}", instances.size(),
+                    fmt::format("{} instances; the device supports {}", instances.size(),
                                 device.limits().max_instances));
     HM_TRY_ASSIGN(const Buffer buffer, upload_instances(device, name, instances));
     const Build build =

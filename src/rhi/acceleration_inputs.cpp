@@ -66,7 +66,7 @@ Result<Build> plan_blas(const Device& device, const BlasInput& input, bool compa
     if (triangles > limits.max_triangles || input.geometries.size() > limits.max_geometries)
         return fail(
             ErrorKind::device_failed, "Vulkan", input.name,
-            fmt::format("{} triangles in {} geometries; the device takes {} in {}", triangles,
+            fmt::format("{} triangles in {} geometries; the device supports {} in {}", triangles,
                         input.geometries.size(), limits.max_triangles, limits.max_geometries));
     ask_sizes(device, build);
     return build;

@@ -196,7 +196,7 @@ TEST_F(RhiDevice, OutOfMemorySaysHowMuch) {
     EXPECT_EQ(buffer.error().kind, ErrorKind::device_failed);
     const std::string line = buffer.error().line();
     for (const char* part : {"a very large scene", "VK_ERROR_OUT_OF_DEVICE_MEMORY",
-                             "1 PiB were asked for", "are in use"})
+                             "1 PiB were requested", "are in use"})
         EXPECT_NE(line.find(part), std::string::npos) << line;
 }
 

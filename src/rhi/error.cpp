@@ -42,8 +42,8 @@ namespace {
 const char* advice(VkResult result) {
     switch (result) {
         case VK_ERROR_DEVICE_LOST:
-            return "; the driver reset or lost the device, so nothing more can be done on it: the "
-                   "kernel's log (dmesg) says why";
+            return "; the driver reset or lost the device, which can no longer be used: see the "
+                   "kernel log (dmesg)";
         case VK_ERROR_OUT_OF_DEVICE_MEMORY:
             return "; the device's memory is full";
         case VK_ERROR_OUT_OF_HOST_MEMORY:

@@ -41,7 +41,7 @@ Result<void> check_supported(const Device& device, const ImageInfo& info) {
     HM_TRY(device.check(result, "vkGetPhysicalDeviceImageFormatProperties", info.name));
     if (info.width <= limits.maxExtent.width && info.height <= limits.maxExtent.height) return {};
     return fail(ErrorKind::device_failed, "Vulkan", info.name,
-                fmt::format("an image of {} x {}; the device takes {} x {}", info.width,
+                fmt::format("an image of {} x {}; the device supports {} x {}", info.width,
                             info.height, limits.maxExtent.width, limits.maxExtent.height));
 }
 

@@ -94,7 +94,7 @@ Result<std::shared_ptr<Instance>> Instance::create(const InstanceOptions& option
     HM_TRY(open_loader(options.loader));
     if (options.validation && !has_layer(kValidationLayer))
         return fail(ErrorKind::no_device, "Vulkan", "",
-                    fmt::format("validation is asked for, but {} is not installed (package "
+                    fmt::format("validation is requested, but {} is not installed (package "
                                 "vulkan-validationlayers)",
                                 kValidationLayer));
 

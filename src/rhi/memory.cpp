@@ -56,7 +56,7 @@ Error memory_error(const Device& device, VkResult result, std::string_view call,
     Error error = device.error(result, call, object);
     if (result != VK_ERROR_OUT_OF_DEVICE_MEMORY) return error;
     const MemoryUse use = device.memory_use();
-    error.message += fmt::format(": {} were asked for, {} of {} are in use", size_text(bytes),
+    error.message += fmt::format(": {} were requested, {} of {} are in use", size_text(bytes),
                                  size_text(use.used_bytes), size_text(use.budget_bytes));
     return error;
 }

@@ -39,7 +39,7 @@ Result<PipelineLayout> PipelineLayout::create(Device& device, std::string_view n
                                               std::span<const SetLayout* const> sets,
                                               std::uint32_t push_constant_bytes) {
     HM_CHECK(push_constant_bytes <= device.limits().max_push_constant_bytes,
-             "{}: {} bytes of push constants, the device takes {}", name, push_constant_bytes,
+             "{}: {} bytes of push constants, the device supports {}", name, push_constant_bytes,
              device.limits().max_push_constant_bytes);
     PipelineLayout layout;
     std::vector<VkDescriptorSetLayout> handles;

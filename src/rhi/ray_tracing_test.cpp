@@ -249,7 +249,8 @@ TEST_F(RhiRays, TooManyInstancesAreRefused) {
     const auto built = build_tlas(device(), "crowd", std::span(&one, many), report);
     ASSERT_FALSE(built.has_value());
     EXPECT_EQ(built.error().line(), "Vulkan: crowd: " + std::to_string(many) +
-                                        " instances; the device takes " + std::to_string(many - 1));
+                                        " instances; the device supports " +
+                                        std::to_string(many - 1));
 }
 
 TEST_F(RhiRays, DeeperRecursionThanTheDeviceHasIsRefused) {

@@ -46,9 +46,8 @@ void add_instance(FlatScene& flat, const Scene& scene, InstanceOrigin origin,
     const glm::dmat4 to_object = glm::inverse(to_world);
     if (determinant == 0.0 || !all_finite(to_object)) {
         diagnostics.warn(scene.file, pointer_of(node),
-                         node.instances.empty()
-                             ? "a node is scaled to nothing; its mesh is not drawn"
-                             : "an instance is scaled to nothing; it is not drawn");
+                         node.instances.empty() ? "a node has scale zero; its mesh is not rendered"
+                                                : "an instance has scale zero; it is not rendered");
         return;
     }
     InstanceData instance{};

@@ -33,7 +33,7 @@ void warn_of_lost_directions(const Scene& scene, const std::vector<glm::dmat4>& 
             node.light != kUnset && scene.lights[std::size_t(node.light)].kind != kLightPoint;
         if ((node.camera == kUnset && !aimed_light) || has_direction(glm::mat4(world[i]))) continue;
         diagnostics.warn(scene.file, pointer_of(node),
-                         "a camera or lamp is scaled to nothing; it looks along the world's -z");
+                         "a camera or light has scale zero; it points along the world's -z");
     }
 }
 

@@ -93,8 +93,8 @@ double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-// The largest coordinate that meets while meshes are placed, which is not where they end up if one
-// node moves them away and another one back.
+// The largest translation, local or accumulated, of nodes with meshes and their ancestors. It may
+// exceed the final positions, if one node moves a mesh away and another one back.
 double largest_translation(const Scene& scene, const std::vector<glm::dmat4>& world) {
     const std::vector<bool> counts = nodes_of_meshes(scene);
     double most = 0;

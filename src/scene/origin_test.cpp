@@ -79,7 +79,7 @@ TEST(Origin, NearScenesAreRoundedToFloats) {
     EXPECT_EQ(scene.nodes[0].local, glm::dmat4(glm::mat4(to_matrix(rounded))));
 }
 
-// Meshes, lights and cameras alike.
+// Meshes, lights and cameras.
 TEST(Origin, WorldTransformsAreRelativeToIt) {
     Scene scene = square_at({6000000.25, 0, 0});
     scene.lights.push_back({});
@@ -95,7 +95,7 @@ TEST(Origin, WorldTransformsAreRelativeToIt) {
     EXPECT_EQ(flat.lights[0].position, vec3(1.125f, 2, 0));
 }
 
-// A skinned mesh stands where its joints are, not where its node is, and posing leaves its vertices
+// The position of a skinned mesh depends on its joints, not on its node; posed vertices are
 // relative to the origin.
 TEST(Origin, OfASkinnedMesh) {
     Scene scene = square_at({0, 0, 0});

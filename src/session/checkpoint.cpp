@@ -26,12 +26,12 @@ Result<void> check_even(const Film& stored, const std::string& device,
 Result<void> check_samples(const Film& stored, const SamplingSettings& sampling, const Film& film,
                            const std::filesystem::path& path) {
     if (stored.first_sample != film.first_sample)
-        return refuse(path, fmt::format("holds samples from {} on; now they begin at {}",
+        return refuse(path, fmt::format("has samples from {} on, but now they start at {}",
                                         stored.first_sample, film.first_sample));
     const std::uint32_t end = stored.first_sample + stored.most_samples();
     if (end > sampling.end())
-        return refuse(
-            path, fmt::format("holds samples up to {} already; {} is less", end, sampling.end()));
+        return refuse(path,
+                      fmt::format("has samples up to {} already; {} is less", end, sampling.end()));
     return {};
 }
 
@@ -66,11 +66,12 @@ Result<void> check_resumable(const Checkpoint& checkpoint, const KeepSettings& k
         return refuse(path, "is of another picture: its pixels or layers differ");
     for (const std::string& before : checkpoint.record.devices)
         if (before != device && !keep.any_device)
-            return refuse(path,
-                          fmt::format("was drawn by {}; going on with {} would give the bits of "
-                                      "neither",
-                                      before, device),
-                          "any-device");
+            return refuse(
+                path,
+                fmt::format("was rendered by {}; continuing with {} would give the bits of "
+                            "neither",
+                            before, device),
+                "any-device");
     HM_TRY(check_even(checkpoint.film, device, path));
     return check_samples(checkpoint.film, sampling, film, path);
 }

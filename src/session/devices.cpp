@@ -36,7 +36,7 @@ class FallbackDevice final : public RenderDevice {
         Result<std::unique_ptr<Renderer>> renderer = gpu_->load(scene);
         const auto replace = [this, &scene](const Error& error) {
             gave_up_ = true;
-            note_(fmt::format("going on with the CPU: {}", error.line()));
+            note_(fmt::format("continuing with the CPU: {}", error.line()));
             return cpu_->load(scene);
         };
         if (renderer) return std::make_unique<FallbackRenderer>(std::move(*renderer), replace);

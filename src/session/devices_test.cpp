@@ -126,7 +126,7 @@ TEST(DeviceChoice, AutoGivesASceneThatTheGpuCannotHoldToTheCpu) {
     ASSERT_TRUE(renderer);
     EXPECT_EQ((*renderer)->report().kind, "cpu");
     EXPECT_EQ((*device)->name(), "CPU");
-    EXPECT_EQ(lines.all.back(), "going on with the CPU: vkQueueSubmit2: VK_ERROR_DEVICE_LOST");
+    EXPECT_EQ(lines.all.back(), "continuing with the CPU: vkQueueSubmit2: VK_ERROR_DEVICE_LOST");
 }
 
 // Calls of the first renderer: begin, render, sync, render, render, sync. Whichever fails, the film

@@ -48,9 +48,9 @@ Result<void> add_part(MergedFilm& merged, MergedFilm more) {
     for (const MergedPart& other : merged.parts)
         if (part.samples.begin < other.samples.end && other.samples.begin < part.samples.end)
             return refuse(part.path,
-                          fmt::format("holds samples {} to {}; {} holds {} to {}",
-                                      part.samples.begin, part.samples.end, other.path.string(),
-                                      other.samples.begin, other.samples.end));
+                          fmt::format("has samples {} to {}; {} has {} to {}", part.samples.begin,
+                                      part.samples.end, other.path.string(), other.samples.begin,
+                                      other.samples.end));
     merge_film(merged.stored.film, more.stored.film);
     FilmRecord& record = merged.record;
     record.seconds += more.record.seconds;
@@ -72,7 +72,7 @@ Result<void> check_gaps(std::vector<MergedPart> parts, bool from_zero) {
     std::uint32_t end = from_zero ? 0 : parts[0].samples.begin;
     for (const MergedPart& part : parts) {
         if (part.samples.begin > end)
-            return refuse(part.path, fmt::format("begins with sample {}, and no part has {} to {}",
+            return refuse(part.path, fmt::format("starts at sample {}, and no part has {} to {}",
                                                  part.samples.begin, end, part.samples.begin));
         end = part.samples.end;
     }

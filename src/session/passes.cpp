@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kWatchSeconds = 0.1;
 
-// Watches the clock beside the rendering threads, sets `cancel` and reports progress.
+// A thread that checks the time, sets `cancel` and reports progress while others render.
 class Watcher {
   public:
     Watcher(const PassPlan& plan, const PassHooks& hooks, const RenderCounters& counters,

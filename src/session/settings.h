@@ -1,5 +1,5 @@
-// All that decides a picture beside its scene, with defaults that give a good one. Front ends fill
-// it from flags, a form or another language.
+// All settings of a picture besides its scene, with good defaults. Front ends fill it from flags, a
+// form or another language.
 #pragma once
 
 #include <cstdint>
@@ -73,7 +73,7 @@ struct LightSettings {
     bool punctual = true;
 };
 
-// What a picture carries beside the beauty, and how .exr files store it.
+// The layers of a picture besides the beauty, and how .exr files store them.
 struct LayerSettings {
     std::vector<Aov> aovs;
     bool light_groups = false;      // as Aov::light_groups

@@ -34,7 +34,7 @@ HM_FN uvec4 pcg4d_hash(uvec4 x) {
 }
 
 // Owen scrambling of a number whose bits are reversed: a bit is flipped by a hash of the bits below
-// it, that is, of the more significant digits of the number proper.
+// it, that is, of the more significant digits of the number before the reversal.
 HM_FN uint owen_scramble_reversed(uint x, uint seed) {
     x = x ^ (x * 0x3d20adeau);
     x = x + seed;

@@ -1,6 +1,6 @@
-// Real glTF files through the program's own commands: `info --json` fits its schema, and `render`
-// renders every scene, material variant and animation: under the sanitizers without a finding,
-// and without them without NaN. Files may be refused for an extension that they require.
+// Processes real glTF files with the program: the output of `info --json` must match its schema,
+// and `render` must render every scene, material variant and animation without NaN or sanitizer
+// findings. Files may be rejected for a required extension.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,7 +62,7 @@ std::uint64_t count_of(const Json& info, const char* what) {
     return info.at("/file/counts").value().integer(what).value().value();
 }
 
-// Everything that `info` says there is to draw.
+// Everything to render, as listed by `info`.
 std::vector<Shot> shots_of(const Json& info) {
     std::vector<Shot> shots = {
         {{"--aov", "all,variance", "-o", "picture.exr", "-o", "picture.png"}}};

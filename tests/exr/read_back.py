@@ -85,7 +85,7 @@ def check_cryptomatte(header, channels, name):
 
 
 def check_other_reader(path, channels):
-    """oiiotool's mean of each channel against numpy's; ids in mattes are no numbers to average."""
+    """oiiotool's mean of each channel against numpy's; ids in mattes are not numbers that can be averaged."""
     text = subprocess.run(["oiiotool", "--info", "-v", "--stats", str(path)], check=True,
                           capture_output=True, text=True).stdout
     names = re.search(r"channel list: (.*)", text).group(1).split(", ")
@@ -106,7 +106,7 @@ def check_metadata(header):
 
 
 def check_storage(program, folder, whole):
-    """Halves, tiles, compression and a crop: the same values from the same pixels."""
+    """Half floats, tiles, compression and a crop: the same values in the same pixels."""
     path = render(program, folder / "crop.exr", "--crop", "10,5,30,25", "--aov", "albedo,depth",
                   "--exr-half", "albedo", "--exr-tiles", "16", "--exr-compression", "piz",
                   "--background", "transparent")
@@ -129,7 +129,7 @@ def check_storage(program, folder, whole):
 
 
 def check_lossy(program, folder):
-    """Lossy compressions touch the beauty alone; two readers agree on the bits of all other layers."""
+    """Lossy compression affects only the beauty; two readers agree on the bits of all other layers."""
     flags = "--aov", "all,variance", "--background", "transparent"
     _, exact = read(render(program, folder / "exact.exr", *flags))
     for compression in "pxr24", "b44", "b44a", "dwaa", "dwab":
@@ -155,12 +155,12 @@ def check_lossy(program, folder):
 
 
 def check_refusals(program, folder):
-    for flags, told in [(["--aov", "colour"], "none of albedo, metallic"),
-                        (["--exr-half", "depth"], "none of the layers"),
-                        (["--exr-compression", "lzw"], "none of none, rle")]:
+    for flags, expected in [(["--aov", "colour"], "not one of albedo, metallic"),
+                        (["--exr-half", "depth"], "not one of the layers"),
+                        (["--exr-compression", "lzw"], "not one of none, rle")]:
         run = subprocess.run([program, "render", "demo:spheres", "-o", str(folder / "x.exr"), *flags],
                              capture_output=True, text=True)
-        assert run.returncode == 2 and told in run.stderr, (flags, run.returncode, run.stderr)
+        assert run.returncode == 2 and expected in run.stderr, (flags, run.returncode, run.stderr)
 
 
 def main(program, folder):

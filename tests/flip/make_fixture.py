@@ -1,4 +1,4 @@
-"""Writes fixture.txt: what the published package says of five pairs of pictures.
+"""Writes fixture.txt: the results of the published package for five pairs of pictures.
 
     python3 -m venv build/flip-venv
     build/flip-venv/bin/pip install flip-evaluator==1.7 OpenEXR==3.5.3 numpy

@@ -1,5 +1,5 @@
-// The shaders as they are embedded: nothing that decides where a ray goes may be contracted.
-// Pictures drawn by lavapipe would not show it, because lavapipe contracts nothing.
+// Checks the embedded shaders: code that decides where a ray goes must not be contracted. Pictures
+// rendered by lavapipe would not show it, because lavapipe never contracts.
 #include <gtest/gtest.h>
 
 #include <cstring>

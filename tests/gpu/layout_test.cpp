@@ -87,7 +87,7 @@ TEST(Layout, StructsLieAsInCpp) {
         EXPECT_TRUE(seen.contains(name)) << name << " is in no buffer";
 }
 
-// A struct that somebody adds must enter kStructs.
+// New structs must be added to kStructs.
 TEST(Layout, EveryStructIsCompared) {
     const char* root = std::getenv("HIMALAYA_SOURCE_DIR");
     const std::regex pattern(R"(\nstruct (\w+) \{)");

@@ -96,8 +96,8 @@ TEST_F(PathTracingVariants, LaunchesOfOneSampleAddUpToALoop) {
     expect_same(loop, draw(variant, Launches::one_per_sample));
 }
 
-// A pipeline that holds the settings renders the same bits as one that reads them from the frame's
-// values, and reads none of them there.
+// A pipeline with specialization constants renders the same bits as one that reads the settings
+// from the uniform block, and does not read them from there.
 TEST_F(PathTracingVariants, SettingsAreSpecializationConstants) {
     const PathTracingVariant variant = {.settings = settings_of(job().params)};
     const Drawn constant = draw(variant, Launches::loop);

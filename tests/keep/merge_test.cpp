@@ -115,12 +115,12 @@ TEST_F(Merge, WhatDoesNotFitIsRefused) {
         expect_ok(part(b, begin, end, more));
         expect_refused({a, b}, b + ": " + why);
     };
-    refuse(3, 6, {}, "holds samples 3 to 6; " + a + " holds 0 to 4");
-    refuse(6, 8, {}, "begins with sample 6, and no part has 4 to 6");
+    refuse(3, 6, {}, "has samples 3 to 6; " + a + " has 0 to 4");
+    refuse(6, 8, {}, "starts at sample 6, and no part has 4 to 6");
     refuse(4, 8, {"--seed", "7"}, "is of another picture: seed 7 (" + a + " has 0)");
     refuse(4, 8, {"--size", "32x31"}, "is of another picture: size 32x31 (" + a + " has 32x32)");
-    expect_refused({b}, b + ": begins with sample 4, and no part has 0 to 4");
-    expect_refused({a, a}, a + ": holds samples 0 to 4; " + a + " holds 0 to 4");
+    expect_refused({b}, b + ": starts at sample 4, and no part has 0 to 4");
+    expect_refused({a, a}, a + ": has samples 0 to 4; " + a + " has 0 to 4");
     expect_refused({a, folder / "gone.exr"},
                    folder / "gone.exr" + ": can't be opened: No such file or directory", 3);
     expect_ok(small_render(folder / "picture.exr", 1));

@@ -118,7 +118,7 @@ TEST_F(Resume, OtherPicturesAreRefused) {
     refuse({"--eye", "0,0,1", "--fov", "30"}, other + "no eye (now 0,0,1), no fov (now 30)");
     expect_ok(small_render(folder / "sky.hdr", 1));
     refuse({"--env", folder / "sky.hdr"}, other + "the environment differs");
-    refuse({}, "holds samples up to 4 already; 3 is less", 3);
+    refuse({}, "has samples up to 4 already; 3 is less", 3);
 }
 
 TEST_F(Resume, AnotherSceneIsRefused) {
@@ -138,7 +138,7 @@ TEST_F(Resume, FlagsThatMakeNoSense) {
     expect_ok(with(small_render(output, 1), {"--checkpoint", checkpoint}));
     expect_refused(
         with(small_render(output, 1), {"--checkpoint", checkpoint}),
-        checkpoint + ": exists already: --resume goes on with it, or remove it to begin anew");
+        checkpoint + ": exists already: continue it with --resume, or remove it to start over");
     expect_refused(with(small_render(output, 1), {"--resume", folder / "gone.exr"}),
                    folder / "gone.exr" + ": can't be opened: No such file or directory", 3);
     expect_ok(small_render(whole, 1));
@@ -165,7 +165,7 @@ TEST_F(Resume, AnotherDeviceNeedsAFlag) {
     ASSERT_TRUE(write_film(checkpoint, stored->film, stored->label, ExrCompression::none));
     expect_refused(with(small_render(output, 6), {"--resume", checkpoint}),
                    checkpoint +
-                       ": was drawn by NVIDIA H200; going on with CPU would give the bits of "
+                       ": was rendered by NVIDIA H200; continuing with CPU would give the bits of "
                        "neither, and --any-device does it");
     expect_ok(with(small_render(output, 6), {"--resume", checkpoint, "--any-device"}));
     expect_same_pixels(output, whole);

@@ -13,8 +13,9 @@ namespace {
 constexpr std::uint32_t kBlock = 8;
 // Both renderers compute in float: where neither has noise, values still differ by this much.
 constexpr double kFloatError = 1e-5;
-// A single pixel that meets something rare (a far edge) may have seen none of it in any replicate,
-// and then its variance says nothing: such pixels are known to this part of their value at best.
+// A pixel with a rare contribution (such as a distant edge) may not have sampled it in any
+// replicate, so its variance is meaningless: pixel values are assumed to be known to this relative
+// error at best.
 constexpr double kPixelError = 1e-3;
 
 double squared_error(double ours, double reference, double value, double floor) {

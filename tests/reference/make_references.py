@@ -68,7 +68,7 @@ def ball(centre, radius, bsdf):
 
 
 def block(centre, half, degrees, bsdf):
-    """A box without its floor, turned about +y."""
+    """A box without its floor, rotated about +y."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
 
     def corner(x, y, z):
@@ -134,7 +134,7 @@ def sky_reference(directions, rotation):
 
 
 def sky(rotation=0.0, scale=1.0):
-    """Mitsuba's rows stand on v = k / (rows - 1), ours on texel centres: 33 rows hold the same function exactly.
+    """Mitsuba's rows are at v = k / (rows - 1), ours at texel centres: 33 rows represent the same function exactly.
     Its u is atan2(x, -z) / 2 pi."""
     rows = []
     for k in range(33):

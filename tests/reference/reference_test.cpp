@@ -87,7 +87,7 @@ std::string describe(const Scale& s) {
                        100 * s.relative, s.p_value);
 }
 
-// Renders and compares; leaves the differences beside the test when they are too unlikely.
+// Renders and compares; writes the differences next to the test if they are too unlikely.
 void expect_reference(const std::string& name, const ReferenceCase& c, std::uint32_t samples) {
     const Estimate reference = read_reference(name);
     const Estimate ours = render(c, samples);

@@ -1,5 +1,5 @@
-// Small scenes that this renderer and Mitsuba 3 describe alike; make_references.py says the same in
-// Python. Pictures are 48 by 32 pixels, box filter, energy compensation off.
+// Small scenes that are defined identically for this renderer and Mitsuba 3; make_references.py is
+// the Python version. Pictures are 48 by 32 pixels, box filter, energy compensation off.
 #pragma once
 
 #include <string_view>
@@ -27,7 +27,7 @@ ReferenceCase reference_metal();
 ReferenceCase reference_materials();
 // A point, a directional and a spot light with range.
 ReferenceCase reference_punctual();
-// Textured cards before and behind the plane of focus of a thin lens.
+// Textured cards in front of and behind the focal plane of a thin lens.
 ReferenceCase reference_lens();
 // Cards of alpha 0.35, of a pattern of alphas, and cut out, before a ball.
 ReferenceCase reference_transparency();

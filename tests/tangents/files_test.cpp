@@ -1,6 +1,6 @@
-// Files whose tangents were made by MikkTSpace from the triangles as they are stored: ours agree.
-// (Blender's are no measure: it makes them before it splits quads into triangles, and the reference
-// program disagrees with them just as much.)
+// Compares our tangents with those in files that MikkTSpace generated from the stored triangles.
+// (Blender's files are not suitable: it computes tangents before it splits quads into triangles,
+// and the reference implementation disagrees with them just as much.)
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -71,7 +71,7 @@ function cube() {
   return { vertices, triangles };
 }
 
-// Seams both ways, joined by position, normal and (but for the seam) coordinates.
+// Seams in both directions; vertices share position, normal and (except at seams) coordinates.
 const torus = () =>
   grid(18, 9, (s, t, c, r) => {
     const a = 2 * Math.PI * (c % 18) / 18, b = 2 * Math.PI * (r % 9) / 9;
@@ -108,23 +108,23 @@ function folded() {
   return { vertices, triangles: [[0, 1, 2], [2, 1, 3], [0, 4, 1], [4, 5, 1]] };
 }
 
-// Fins on common edges (some with the opposite winding), triangles on few places and coordinates:
-// what no modeller makes, but files contain. Places do not lie on lines or opposite each other, so
-// that no decision hangs on rounding.
+// Fins on shared edges (some with opposite winding), and triangles with few distinct positions and
+// coordinates: not modelled by anyone, but found in files. Positions are not collinear or opposite, so
+// that no decision depends on rounding.
 function soup() {
-  const places = Array.from({ length: 24 }, () => [random(), random(), random()]);
-  const normals = places.map(() => unit([random() - 0.5, random() - 0.5, 1]));
-  const corners = places.map(() => [[random(), random()], [random(), random()]]);
+  const positions = Array.from({ length: 24 }, () => [random(), random(), random()]);
+  const normals = positions.map(() => unit([random() - 0.5, random() - 0.5, 1]));
+  const corners = positions.map(() => [[random(), random()], [random(), random()]]);
   const vertices = [], triangles = [];
   const pick = () => Math.floor(24 * random());
   for (let t = 0; t < 220; ++t) {
-    // Neighbouring places, so that edges repeat.
+    // Neighbouring positions, so that edges repeat.
     const a = pick(), step = 1 + Math.floor(3 * random());
     const ids = [a, (a + step) % 24, (a + 2) % 24];
     if (random() < 0.3) ids.reverse();
     const flat = random() < 0.12;
     triangles.push(ids.map((i) => {
-      vertices.push({ position: places[i], normal: normals[i],
+      vertices.push({ position: positions[i], normal: normals[i],
                       uv: corners[flat ? a : i][random() < 0.2 ? 1 : 0] });
       return vertices.length - 1;
     }));

@@ -1,7 +1,6 @@
-// A small picture on the real renderers, once for each Vulkan call that may fail while the scene is
-// uploaded, its structures are built, samples are drawn and brought back. Whichever fails: the
-// error names it, and with --device auto the CPU completes the picture with the samples that the
-// film had.
+// Renders a small picture with the real renderers, once for each Vulkan call that may fail during
+// upload, acceleration structure builds, rendering and readback. The error must name the call, and
+// with --device auto the CPU must complete the picture with the samples already in the film.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -116,13 +115,13 @@ void Drawing::sweep_with_fallback(VkResult result) {
         EXPECT_EQ(counters.samples, film.sums.size() * kAll);
         ASSERT_EQ(lines.size(), drew == "CPU" || both ? 2u : 1u);
         if (lines.size() == 2) {
-            EXPECT_TRUE(lines[1].starts_with("going on with the CPU: Vulkan: ")) << lines[1];
+            EXPECT_TRUE(lines[1].starts_with("continuing with the CPU: Vulkan: ")) << lines[1];
             EXPECT_NE(lines[1].find(" returned VK_ERROR_"), std::string::npos) << lines[1];
         }
     });
 }
 
-// The film holds what was synced and nothing else.
+// The film has exactly the synchronised samples.
 void Drawing::sweep_without_fallback(VkResult result) {
     const Film none = empty_film(), all = expected(kAll);
     Film first = empty_film();

@@ -66,7 +66,7 @@ class Opening : public testing::Test {
 
     std::uint32_t index_ = 0;
     fs::path folder_;
-    bool compiles_all_ = false;  // the path tracer, too, which takes its time
+    bool compiles_all_ = false;  // also the path tracer, which is slow
 };
 
 TEST_F(Opening, OutOfDeviceMemoryHasAName) {

@@ -66,7 +66,7 @@ TEST_P(BadMachine, EndsAPictureOfANamedGpuWithItsOwnExitCode) {
     const std::string result = GetParam().substr(0, GetParam().find(' '));
     EXPECT_EQ(count(outcome.text, "himalaya: error: Vulkan: "), 1) << outcome.text;
     EXPECT_EQ(count(outcome.text, " returned " + result), 1) << outcome.text;
-    EXPECT_EQ(count(outcome.text, "--device cpu draws without it"), 1) << outcome.text;
+    EXPECT_EQ(count(outcome.text, "--device cpu renders without it"), 1) << outcome.text;
     EXPECT_FALSE(fs::exists(output_));
 }
 
@@ -74,7 +74,8 @@ TEST_P(BadMachine, LeavesAPictureOfAutoToTheCpu) {
     const Outcome outcome = run_in(GetParam(), drawing("auto", output_));
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     EXPECT_EQ(count(outcome.text, "himalaya: drawing on "), 1) << outcome.text;
-    EXPECT_EQ(count(outcome.text, "himalaya: going on with the CPU: Vulkan: "), 1) << outcome.text;
+    EXPECT_EQ(count(outcome.text, "himalaya: continuing with the CPU: Vulkan: "), 1)
+        << outcome.text;
     EXPECT_EQ(count(outcome.text, "himalaya: 60 samples/pixel on CPU"), 1) << outcome.text;
     const std::string expected = folder_ / "expected.exr";
     EXPECT_EQ(run(drawing("cpu", expected)).code, 0);
@@ -124,7 +125,8 @@ TEST_F(Checkpoints, HoldWhatALostDeviceHadDrawn) {
 TEST_F(Checkpoints, HoldTheSamplesOfBothWhereTheCpuGoesOn) {
     const Outcome outcome = run_in(lost_at(40), keeping("auto"));
     EXPECT_EQ(outcome.code, 0) << outcome.text;
-    EXPECT_EQ(count(outcome.text, "himalaya: going on with the CPU: Vulkan: "), 1) << outcome.text;
+    EXPECT_EQ(count(outcome.text, "himalaya: continuing with the CPU: Vulkan: "), 1)
+        << outcome.text;
     EXPECT_EQ(count(outcome.text, ", then CPU"), 1) << outcome.text;
     const auto stored = read_film(kept_);
     ASSERT_TRUE(stored) << stored.error().line();

@@ -18,10 +18,11 @@ namespace hm::trouble {
 
 inline constexpr const char* kName = "VK_LAYER_HIMALAYA_trouble";
 
-// From call number `at` (from 0) on, `function` fails with `result`; without a name the calls of
-// all functions count that may return it, and the function that is reached fails from then on.
-// Waiting fails only once, or nobody could know when an object is out of use. A lost device stays
-// lost for all calls; its work is finished first, since the real device is fine. Resets the count.
+// From call number `at` (counted from 0) on, `function` fails with `result`. Without a name, calls
+// of all functions that may return `result` are counted, and the one that reaches `at` fails from
+// then on. Waiting fails only once, since otherwise objects in use could never be freed. A lost
+// device stays lost for all calls; its work is finished first, since the real device is fine.
+// Resets the count.
 void arm(VkResult result, std::uint32_t at, std::string_view function = "");
 void disarm();
 

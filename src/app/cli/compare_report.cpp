@@ -21,9 +21,9 @@ std::string notes_of(const CompareOptions& options, const LayerError& e) {
     std::string text;
     const auto broken = [&](std::uint64_t count, const std::filesystem::path& file) {
         if (count > 0)
-            text += fmt::format("  {} pixel{} of {} {} not finite; none of the numbers counts {}\n",
-                                count, count == 1 ? "" : "s", file.string(),
-                                count == 1 ? "is" : "are", count == 1 ? "it" : "them");
+            text +=
+                fmt::format("  {} pixel{} of {} {} not finite and excluded from all measures\n",
+                            count, count == 1 ? "" : "s", file.string(), count == 1 ? "is" : "are");
     };
     broken(e.not_finite_test, options.test);
     broken(e.not_finite_reference, options.reference);

@@ -137,7 +137,8 @@ std::string manifest_trouble(const DriverManifest& manifest) {
     void* handle = ::dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL);
     const bool is_driver = ::dlsym(handle, "vk_icdGetInstanceProcAddr") != nullptr;
     ::dlclose(handle);
-    return is_driver ? "" : library + " is no Vulkan driver: it has no vk_icdGetInstanceProcAddr";
+    return is_driver ? ""
+                     : library + " is not a Vulkan driver: it has no vk_icdGetInstanceProcAddr";
 }
 
 std::string drivers_to_add(const std::vector<DriverManifest>& manifests,

@@ -90,7 +90,7 @@ TEST_F(Drivers, AManifestThatLeadsNowhereSaysWhy) {
     const std::string missing = trouble(write("mine/missing.json", "libGLX_missing.so.0"));
     EXPECT_TRUE(missing.starts_with("libGLX_missing.so.0: ")) << missing;
     EXPECT_EQ(trouble(write("mine/other.json", "libc.so.6")),
-              "libc.so.6 is no Vulkan driver: it has no vk_icdGetInstanceProcAddr");
+              "libc.so.6 is not a Vulkan driver: it has no vk_icdGetInstanceProcAddr");
 }
 
 TEST_F(Drivers, ALibraryThatIsMissingIsNamed) {

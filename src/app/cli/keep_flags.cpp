@@ -68,7 +68,7 @@ Result<void> check_keep_options(const RenderOptions& options) {
     std::error_code unknown;
     if (o.checkpoint != o.resume && std::filesystem::exists(o.checkpoint, unknown))
         return fail(ErrorKind::invalid_argument, o.checkpoint.string(), "",
-                    "exists already: --resume goes on with it, or remove it to begin anew");
+                    "exists already: continue it with --resume, or remove it to start over");
     return check_writable(o.checkpoint);
 }
 

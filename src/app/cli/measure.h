@@ -28,12 +28,11 @@ struct LayerPair {
 };
 
 struct LayerError {
-    std::string name;  // as --layer has it; "beauty" for the picture proper
-    // Pixels with a NaN or infinite value, which the metrics below leave out.
+    std::string name;  // as for --layer; "beauty" for the unnamed layer
+    // Pixels with a NaN or infinite value, excluded from the metrics below.
     std::uint64_t not_finite_test = 0, not_finite_reference = 0;
 
-    ImageError
-        stored;  // over the values as the files have them; alpha only where there is no R, G, B
+    ImageError stored;  // of the stored values; of alpha only if there is no R, G, B
     std::optional<double> alpha_rmse;
 
     // Of colours only. PSNR and SSIM compare display colours: linear ones are mapped by the neutral
@@ -43,7 +42,7 @@ struct LayerError {
     HdrFlip hdr;                  // the exposures of an HDR-FLIP
     std::optional<ZTest> z_test;
 
-    Plane picture;  // the error that was asked for, empty if none was
+    Plane picture;  // the requested error map, empty if none
 };
 
 std::string shown_name(const Layer& layer);

@@ -44,7 +44,7 @@ DrawHooks hooks(const RenderOptions& options, Progress& progress) {
         .watch =
             [&progress, noted = false](const ProgressState& state) mutable {
                 if (interrupted() && !std::exchange(noted, true))
-                    progress.note("finishing this pass; once more stops at once");
+                    progress.note("finishing this pass; interrupt again to stop immediately");
                 progress.update(state);
             },
         .warn = [&progress](std::string_view line) { progress.warning(line); },
@@ -73,7 +73,7 @@ void record_warnings(const RenderSummary& summary, const std::string& file,
 template <class T>
 Result<T> with_cpu_hint(Result<T> result) {
     if (!result && is_device_trouble(result.error()))
-        result.error().message += "; --device cpu draws without it";
+        result.error().message += "; --device cpu renders without it";
     return result;
 }
 
@@ -134,7 +134,7 @@ Result<std::unique_ptr<RenderDevice>> open_device(const RenderOptions& options, 
         [&](const auto& index) { return open_vulkan_device(index, diagnostics); },
         [&](std::string_view line) { progress.note(line); });
     if (!device && options.device.kind == DeviceChoice::Kind::vulkan)
-        device.error().message += "; `himalaya doctor` says what to do";
+        device.error().message += "; `himalaya doctor` explains what to do";
     return device;
 }
 

@@ -115,7 +115,7 @@ Parsed<DeviceChoice> parse_device(std::string_view text) {
         const Parsed<std::uint32_t> index = parse_integer(text.substr(kIndexed.size()), 0, 9999);
         if (index) return DeviceChoice{DeviceChoice::Kind::vulkan, *index};
     }
-    return tl::unexpected(fmt::format("\"{}\" is none of auto, cpu, vulkan, vulkan:N", text));
+    return tl::unexpected(fmt::format("\"{}\" is not one of auto, cpu, vulkan, vulkan:N", text));
 }
 
 }  // namespace hm::cli

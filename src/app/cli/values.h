@@ -38,7 +38,7 @@ template <class T, std::size_t N>
 Parsed<T> parse_choice(std::string_view text, const Choice<T> (&choices)[N]) {
     for (const Choice<T>& choice : choices)
         if (text == choice.name) return choice.value;
-    return tl::unexpected("\"" + std::string(text) + "\" is none of " + names_of(choices));
+    return tl::unexpected("\"" + std::string(text) + "\" is not one of " + names_of(choices));
 }
 
 }  // namespace hm::cli

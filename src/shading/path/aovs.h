@@ -7,7 +7,7 @@
 //
 // Hooks, on the planes of aov_planes.h at the sample's own pixel: has_plane: whether the film
 // has one; plane_value reads and set_plane_value writes float `at` of `floats`. keep_ids gets
-// what the sample hit, for cryptomattes. moved_position is where a point of a triangle stands at
+// what the sample hit, for cryptomattes. moved_position is the position of a point of a triangle in
 // the next frame, in world space.
 // Tables: aovs (AovParams); source_groups, of each source of light (kSourceEnvironment).
 

@@ -6,10 +6,10 @@
 HM_HOOK(uvec2 image_size(uint image))
 HM_HOOK(vec4 fetch_texel(uint image, uint x, uint y, uint encoding))
 
-// Image 0 is the 1x1 white that stands for textures a file does not give.
+// Image 0 is a 1x1 white image, used for missing textures.
 HM_CONST uint kImageWhite = 0u;
 
-// A coordinate folded into [0, 1]; what is not finite becomes 0.
+// A coordinate wrapped into [0, 1]; non-finite values become 0.
 HM_FN float fold_coordinate(float u, uint wrap) {
     float x = u;
     if (wrap == kWrapRepeat) {

@@ -18,7 +18,7 @@ constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
 
 Findings check_cpu(const Machine& m) {
     const std::string text =
-        fmt::format("{}, {} thread{}, drawing with {}", m.cpu.model, m.cpu.threads,
+        fmt::format("{}, {} thread{}, rendering with {}", m.cpu.model, m.cpu.threads,
                     m.cpu.threads == 1 ? "" : "s", m.cpu.instruction_set);
     if (m.cpu.instruction_set != "baseline") return {{Level::good, "CPU", text}};
     return {{Level::note, "CPU", text + ": it has no AVX2, which is twice as fast"}};
@@ -31,12 +31,13 @@ Findings check_memory(const Machine& m) {
         fmt::format("{:.1f} GiB, {:.1f} free", double(m.memory.total_bytes) / kGiB, free);
     if (m.memory.total_bytes == 0) return {{Level::note, "memory", "unknown"}};
     if (free >= kEnough) return {{Level::good, "memory", text}};
-    return {{Level::warning, "memory", text, "Close other programs before drawing large scenes."}};
+    return {
+        {Level::warning, "memory", text, "Close other programs before rendering large scenes."}};
 }
 
 Findings check_build(const Machine& m) {
     if (m.built_with_vulkan) return {};
-    return {{Level::warning, "Vulkan renderer", "this build leaves it out, so only the CPU draws",
+    return {{Level::warning, "Vulkan renderer", "not included in this build; only the CPU renders",
              "Install the packages that scripts/install-deps.sh lists, run scripts/fetch-vma.sh "
              "and build again with -DHIMALAYA_VULKAN=ON."}};
 }
@@ -64,11 +65,12 @@ bool sees_nvidia(const Machine& m) {
 std::string nvidia_container_advice(const Machine& m) {
     const std::string& capabilities = m.nvidia.capabilities;
     if (!lacks_graphics(capabilities))
-        return "The container got no Vulkan driver though graphics is asked for: see that the host "
-               "has one (nvidia_icd.json, not a driver for computing alone), and update NVIDIA's "
+        return "The container has no Vulkan driver although graphics is requested: check that the "
+               "host has one (nvidia_icd.json, not a compute-only driver), and update NVIDIA's "
                "container toolkit.";
     return fmt::format(
-        "The container got no graphics part of the driver (NVIDIA_DRIVER_CAPABILITIES is {}): "
+        "The container does not have the graphics part of the driver (NVIDIA_DRIVER_CAPABILITIES "
+        "is {}): "
         "start it with -e NVIDIA_DRIVER_CAPABILITIES=all, and install libxext6 and libegl1 in it.",
         capabilities.empty() ? "not set" : "\"" + capabilities + "\"");
 }
@@ -81,12 +83,12 @@ std::string driver_advice(const Machine& m) {
     if (has_node(m, "/dev/dri"))
         return "Install the card's driver: mesa-vulkan-drivers (AMD, Intel), or NVIDIA's own.";
     if (m.in_container)
-        return "If the host has a GPU, hand it to the container: --gpus all with NVIDIA's "
+        return "If the host has a GPU, pass it to the container: --gpus all with NVIDIA's "
                "container toolkit, --device /dev/dri for AMD and Intel.";
     return "If the machine has a GPU, install its driver.";
 }
 
-// The distribution's packages of libraries that drivers need and minimal images lack.
+// Distribution packages of libraries that drivers need and minimal images do not have.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kPackages = {{
     {"libXext.so", "libxext6"},
     {"libX11.so", "libx11-6"},
@@ -100,13 +102,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kPackages
 
 std::string library_advice(const Machine& m, const DriverManifest& manifest) {
     if (manifest.driver.empty())
-        return m.chosen_drivers.empty() ? "Install the driver that the file belongs to again."
+        return m.chosen_drivers.empty() ? "Reinstall the driver that the file belongs to."
                                         : "Unset the variable, or name a manifest.";
     for (const auto& [library, package] : kPackages)
         if (manifest.trouble.starts_with(library))
             return fmt::format("Install {} (Debian, Ubuntu).", package);
     if (is_nvidia(manifest) && m.in_container) return nvidia_container_advice(m);
-    return "Install the driver again: its manifest is there, its library is not.";
+    return "Reinstall the driver: its manifest exists, its library does not.";
 }
 
 Findings check_drivers(const Machine& m) {
@@ -132,14 +134,13 @@ Findings check_drivers(const Machine& m) {
                 {Level::good, "Vulkan driver", fmt::format("{} ({})", file, manifest.driver)});
     }
     if (!m.chosen_drivers.empty())
-        findings.push_back(
-            {Level::note, "Vulkan driver",
-             fmt::format("VK_DRIVER_FILES or VK_ICD_FILENAMES allows these alone: {}",
-                         m.chosen_drivers)});
+        findings.push_back({Level::note, "Vulkan driver",
+                            fmt::format("VK_DRIVER_FILES or VK_ICD_FILENAMES allows only these: {}",
+                                        m.chosen_drivers)});
     if (!one_loads)
         findings.push_back(
             {Level::warning, "Vulkan driver",
-             m.chosen_drivers.empty() ? "none is installed" : "none of those can be used",
+             m.chosen_drivers.empty() ? "none is installed" : "none of these can be used",
              m.chosen_drivers.empty() ? driver_advice(m)
                                       : "Unset the variable, or name a manifest."});
     return findings;
@@ -149,7 +150,7 @@ bool is_nvidia_device(const VulkanDevice& d) {
     return d.name.find("NVIDIA") != std::string::npos;
 }
 
-// Only if there is a card that can't trace rays.
+// Only if there is a card that cannot trace rays.
 Findings check_nvidia(const Machine& m) {
     const NvidiaFacts& n = m.nvidia;
     if (!sees_nvidia(m) || std::any_of(m.devices.begin(), m.devices.end(), [](const auto& d) {
@@ -161,22 +162,22 @@ Findings check_nvidia(const Machine& m) {
         findings.push_back({Level::warning, "NVIDIA driver", std::move(text), std::move(advice)});
     };
     if (m.in_container && lacks_graphics(n.capabilities))
-        warn("the container is not given the part of the driver that has Vulkan",
+        warn("the container does not have the Vulkan part of the driver",
              nvidia_container_advice(m));
     if (!n.user_driver.empty() && !n.kernel_driver.empty() && n.user_driver != n.kernel_driver)
         warn(fmt::format("the kernel runs {}, the library is {}", n.kernel_driver, n.user_driver),
-             m.in_container ? "Let NVIDIA's container toolkit bring the host's driver, instead of "
+             m.in_container ? "Let NVIDIA's container toolkit provide the host's driver instead of "
                               "installing one in the image."
-                            : "They must be of one version: restart after an update.");
+                            : "They must have the same version: restart after an update.");
     for (const LibraryFacts& library : n.opened) {
         if (library.trouble.empty()) continue;
-        warn(fmt::format("it opens {} by itself: {}", library.name, library.trouble),
+        warn(fmt::format("it requires {}: {}", library.name, library.trouble),
              !library.package.empty()
                  ? fmt::format("Install {} (Debian, Ubuntu); other systems have it in libglvnd and "
                                "their X11 libraries.",
                                library.package)
              : m.in_container ? nvidia_container_advice(m)
-                              : "Install the driver again: it traces rays with this part.");
+                              : "Reinstall the driver: ray tracing needs this library.");
     }
     return findings;
 }
@@ -186,7 +187,7 @@ Findings check_nodes(const Machine& m) {
     for (const DeviceNode& node : m.nodes)
         if (!node.may_use) refused += " " + node.path;
     if (refused.empty()) return {};
-    return {{Level::warning, "permissions", "this user may not use" + refused,
+    return {{Level::warning, "permissions", "this user cannot access" + refused,
              m.in_container
                  ? "Start the container with --group-add of the group that owns the file outside."
                  : "Add the user to the groups that own them (usermod -aG render,video USER), and "
@@ -206,9 +207,9 @@ std::string describe(const VulkanDevice& d) {
 }
 
 std::string old_driver_advice(const VulkanDevice& d) {
-    if (d.is_software) return "lavapipe traces rays from Mesa 25 on.";
-    return "Update the driver: NVIDIA from 515, Mesa from 24 (AMD, Intel). Where that is done, the "
-           "card is too old: rays need GeForce 10, Radeon RX 6000, Arc or newer.";
+    if (d.is_software) return "lavapipe supports ray tracing since Mesa 25.";
+    return "Update the driver to NVIDIA 515, Mesa 24 (AMD, Intel) or newer. If it is, the card is "
+           "too old: ray tracing needs GeForce 10, Radeon RX 6000, Arc or newer.";
 }
 
 Findings check_devices(const Machine& m) {
@@ -223,8 +224,8 @@ Findings check_devices(const Machine& m) {
         has_gpu = has_gpu || (!d.is_software && can_trace(d));
         if (can_trace(d)) {
             findings.push_back({d.is_software ? Level::note : Level::good, "device",
-                                describe(d) + (d.is_software ? ": software; draws only when it is "
-                                                               "named"
+                                describe(d) + (d.is_software ? ": software; used only if "
+                                                               "requested"
                                                              : "")});
             continue;
         }
@@ -234,11 +235,11 @@ Findings check_devices(const Machine& m) {
     }
     if (sees_nvidia(m) && !has_nvidia)
         findings.push_back({Level::warning, "devices",
-                            "the kernel has an NVIDIA card, Vulkan does not show it",
+                            "the kernel has an NVIDIA card, but Vulkan does not list it",
                             driver_advice(m)});
     else if (!has_gpu)
         findings.push_back({Level::warning, "devices",
-                            "no GPU can draw; --device auto takes the CPU", driver_advice(m)});
+                            "no GPU can render; --device auto uses the CPU", driver_advice(m)});
     return findings;
 }
 

@@ -11,14 +11,14 @@ namespace hm::cli {
 enum class Level {
     good,
     note,     // worth knowing, nothing to do
-    warning,  // pictures can be drawn, but not with all that the machine seems to have
+    warning,  // rendering works, but not with all hardware that seems present
 };
 
 struct Finding {
     Level level = Level::good;
     std::string subject;  // a word or two: "Vulkan loader"
     std::string text;
-    std::string advice = {};  // what to do; empty where there is nothing
+    std::string advice = {};  // what to do; may be empty
 };
 
 using Check = std::vector<Finding> (*)(const Machine&);

@@ -1,4 +1,4 @@
-// What the doctor says of machines that do not exist.
+// Findings of `himalaya doctor` for made-up machines.
 #include "app/cli/doctor/checks.h"
 
 #include <gtest/gtest.h>
@@ -126,7 +126,7 @@ TEST(Doctor, NamesThePackageOfALibraryThatADriverMisses) {
     EXPECT_TRUE(says(warnings_of(m), "NVIDIA_DRIVER_CAPABILITIES"));
 }
 
-// The driver's library opens, but no device comes of it: what it opens by itself is missing.
+// The driver's library opens, but lists no device: a library that it requires is missing.
 TEST(Doctor, NamesWhatNvidiasDriverOpensByItself) {
     Machine m = healthy();
     m.nvidia.opened = {
@@ -136,17 +136,17 @@ TEST(Doctor, NamesWhatNvidiasDriverOpensByItself) {
     EXPECT_EQ(warnings_of(m), "");  // it works all the same
     m.devices = {make_device("llvmpipe", true, true)};
     std::string said = warnings_of(m);
-    EXPECT_TRUE(says(said, "it opens libEGL.so.1 by itself")) << said;
+    EXPECT_TRUE(says(said, "it requires libEGL.so.1")) << said;
     EXPECT_TRUE(says(said, "Install libegl1")) << said;
     EXPECT_FALSE(says(said, "libGLdispatch")) << said;
-    EXPECT_TRUE(says(said, "-> Install the driver again: it traces rays")) << said;
+    EXPECT_TRUE(says(said, "-> Reinstall the driver: ray tracing needs")) << said;
     m.in_container = true;
     m.nvidia.capabilities = "compute,graphics,utility";
     said = warnings_of(m);
-    EXPECT_TRUE(says(said, "though graphics is asked for")) << said;
-    EXPECT_FALSE(says(said, "not given the part")) << said;
+    EXPECT_TRUE(says(said, "although graphics is requested")) << said;
+    EXPECT_FALSE(says(said, "does not have the Vulkan part")) << said;
     m.nvidia.capabilities = "compute,utility";
-    EXPECT_TRUE(says(warnings_of(m), "not given the part of the driver that has Vulkan"));
+    EXPECT_TRUE(says(warnings_of(m), "does not have the Vulkan part of the driver"));
 }
 
 TEST(Doctor, SeesTwoVersionsOfNvidiasDriver) {
@@ -156,7 +156,7 @@ TEST(Doctor, SeesTwoVersionsOfNvidiasDriver) {
     m.devices.clear();
     EXPECT_TRUE(says(warnings_of(m),
                      "the kernel runs 580.159.04, the library is 570.86.10 -> "
-                     "They must be of one version: restart"));
+                     "They must have the same version: restart"));
     m.in_container = true;
     EXPECT_TRUE(says(warnings_of(m), "instead of installing one in the image"));
 }
@@ -187,7 +187,7 @@ TEST(Doctor, SaysThatAChosenDriverIsNotThere) {
     m.manifests = {{"/nowhere/icd.json", "", true, "the manifest names no library"}};
     m.devices.clear();
     m.devices_trouble = "Vulkan: the loader finds no device";
-    EXPECT_TRUE(says(warnings_of(m), "none of those can be used -> Unset the variable"));
+    EXPECT_TRUE(says(warnings_of(m), "none of these can be used -> Unset the variable"));
 }
 
 TEST(Doctor, SoftwareAloneIsNoGpu) {
@@ -196,7 +196,7 @@ TEST(Doctor, SoftwareAloneIsNoGpu) {
     m.nvidia.kernel_driver.clear();
     m.devices = {make_device("llvmpipe", true, true)};
     const std::string said = warnings_of(m);
-    EXPECT_TRUE(says(said, "no GPU can draw")) << said;
+    EXPECT_TRUE(says(said, "no GPU can render")) << said;
     EXPECT_FALSE(says(said, "llvmpipe")) << said;
 }
 

@@ -1,5 +1,5 @@
-// What `himalaya doctor` knows about a machine, as plain data: the checks read nothing else, so
-// tests can invent machines.
+// What `himalaya doctor` knows about a machine, as plain data. The checks read nothing else, so
+// tests can make up machines.
 #pragma once
 
 #include <optional>
@@ -49,7 +49,7 @@ struct Machine {
     LoaderFacts loader;
     std::vector<DriverManifest> manifests;
     std::string chosen_drivers;  // VK_DRIVER_FILES or VK_ICD_FILENAMES
-    std::string added_drivers;   // what we add ourselves, see drivers_to_add
+    std::string added_drivers;   // added by this program, see drivers_to_add
     std::vector<DeviceNode> nodes;
     NvidiaFacts nvidia;
 
@@ -59,7 +59,7 @@ struct Machine {
     DenoiserFacts denoiser;
 };
 
-// Opens drivers, so it takes as long as they do.
+// Opens drivers, which may take a while.
 Machine examine_machine();
 
 }  // namespace hm::cli

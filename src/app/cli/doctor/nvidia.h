@@ -1,5 +1,6 @@
-// What NVIDIA's Vulkan driver needs beside a card: parts of itself that container runtimes leave
-// out, and libraries that minimal images lack. Without them it offers no device and no reason.
+// What NVIDIA's Vulkan driver needs besides a card: parts of itself that container runtimes may not
+// mount, and libraries that minimal images do not have. Without them it lists no device and reports
+// no error.
 #pragma once
 
 #include <string>
@@ -16,10 +17,10 @@ struct LibraryFacts {
 };
 
 struct NvidiaFacts {
-    std::string kernel_driver;         // the version, where its module is loaded: "580.159.04"
+    std::string kernel_driver;         // version of the loaded kernel module: "580.159.04"
     std::string capabilities;          // NVIDIA_DRIVER_CAPABILITIES
-    std::string user_driver;           // version of the Vulkan driver's own library, where it opens
-    std::vector<LibraryFacts> opened;  // what the driver opens by itself; where there is one
+    std::string user_driver;           // version of the Vulkan driver library, if it opens
+    std::vector<LibraryFacts> opened;  // libraries that the driver opens, if there is one
 };
 
 // Opens the libraries that the driver would open. `has_manifest`: of NVIDIA's driver.
@@ -27,7 +28,7 @@ NvidiaFacts examine_nvidia(const Environment& environment, bool has_manifest);
 
 bool is_nvidia(const DriverManifest& manifest);
 
-// The container toolkit hands out the driver's parts by capability, and by default not the graphics
+// The container toolkit mounts parts of the driver by capability, by default without the graphics
 // part.
 bool lacks_graphics(std::string_view capabilities);
 

@@ -38,11 +38,11 @@ constexpr const char* kTrialAdvice =
 
 std::string trial_line(const Trial& t) {
     if (!t.trouble.empty()) return t.trouble;
-    std::string line =
-        fmt::format("ready after {:.2f} s, drawn in {:.3f} s ({:.2f} Mrays/s)", t.prepare_seconds,
-                    t.render_seconds, double(t.rays) / std::max(t.render_seconds, 1e-9) * 1e-6);
+    std::string line = fmt::format("ready after {:.2f} s, rendered in {:.3f} s ({:.2f} Mrays/s)",
+                                   t.prepare_seconds, t.render_seconds,
+                                   double(t.rays) / std::max(t.render_seconds, 1e-9) * 1e-6);
     if (t.parity)
-        line += fmt::format("; beside the CPU's: mean {:+.1e}, {:.2f} % of pixels within 1 %",
+        line += fmt::format("; compared with the CPU: mean {:+.1e}, {:.2f} % of pixels within 1 %",
                             t.parity->mean_difference, 100 * t.parity->share_close);
     return line;
 }

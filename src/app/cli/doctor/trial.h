@@ -1,4 +1,4 @@
-// A small picture on every device, compared with the CPU's, as a test of drivers.
+// Tests drivers: renders a small picture on every device and compares it with the CPU's.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,9 @@
 
 namespace hm::cli {
 
-// How much two pictures of the same samples differ. Both use the same random numbers, but round
-// differently, so that a path near the edge of a triangle may branch off: a few pixels differ much,
-// and the mean hardly.
+// The difference of two pictures with the same samples. Both use the same random numbers, but
+// rounding differs, so a path near the edge of a triangle may diverge: a few pixels differ a lot,
+// but the mean hardly changes.
 struct Parity {
     double mean_difference = 0;  // of luminance, relative to the reference's mean
     double standard_error = 0;   // of that, from the pixels' paired differences
@@ -43,8 +43,8 @@ struct Contender {
 
 inline constexpr std::uint32_t kTrialSize = 64, kTrialSamples = 16;
 
-// Draws demo:cornell on each; the first is the reference. `begun` is called with its name before
-// each. Fails if the scene can't be loaded.
+// Renders demo:cornell on each; the first is the reference. `begun` is called with the name before
+// each. Fails if the scene cannot be loaded.
 Result<std::vector<Trial>> run_trials(const std::vector<Contender>& contenders,
                                       const std::function<void(std::string_view)>& begun);
 
