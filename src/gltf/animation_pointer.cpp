@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
 #include <string>
 
@@ -20,25 +19,19 @@ struct Property {
     Pointed what;
 };
 constexpr std::string_view kLights = "/extensions/KHR_lights_punctual/lights";
-constexpr std::array<Property, 17> kProperties{{
+constexpr Property kProperties[] = {
     {"/nodes/#/translation", AnimatedProperty::translation},
     {"/nodes/#/rotation", AnimatedProperty::rotation},
     {"/nodes/#/scale", AnimatedProperty::scale},
     {"/nodes/#/weights", AnimatedProperty::weights},
     {"/nodes/#/extensions/KHR_node_visibility/visible", AnimatedValue::node_visible},
-    {"/extensions/KHR_lights_punctual/lights/#/color", AnimatedValue::light_color},
-    {"/extensions/KHR_lights_punctual/lights/#/intensity", AnimatedValue::light_intensity},
-    {"/extensions/KHR_lights_punctual/lights/#/range", AnimatedValue::light_range},
-    {"/extensions/KHR_lights_punctual/lights/#/spot/innerConeAngle", AnimatedValue::inner_cone},
-    {"/extensions/KHR_lights_punctual/lights/#/spot/outerConeAngle", AnimatedValue::outer_cone},
-    {"/cameras/#/perspective/yfov", AnimatedValue::yfov},
+#define HM_ANIMATED(value, pointer, table, member, low, high) {pointer, AnimatedValue::value},
+#include "scene/animated_values.inl"
     {"/cameras/#/perspective/aspectRatio", {}},
     {"/cameras/#/perspective/znear", {}},
     {"/cameras/#/perspective/zfar", {}},
-    {"/cameras/#/orthographic/xmag", AnimatedValue::xmag},
-    {"/cameras/#/orthographic/ymag", AnimatedValue::ymag},
     {"/cameras/#/orthographic/zfar", {}},
-}};
+};
 
 // "/materials/3/normalTexture/scale" is split into "/materials", 3, "/normalTexture/scale".
 struct Parts {

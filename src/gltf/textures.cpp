@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "scene/choice_names.h"
+
 namespace hm::gltf {
 namespace {
 
@@ -14,27 +16,23 @@ constexpr std::array<std::string_view, 5> kImageExtensions{"KHR_texture_basisu",
 
 Result<std::uint32_t> read_wrap(const Json& sampler, std::string_view key) {
     HM_TRY_ASSIGN(const auto value, sampler.integer(key));
-    switch (value.value_or(10497)) {
-        case 10497:
-            return kWrapRepeat;
-        case 33071:
-            return kWrapClamp;
-        case 33648:
-            return kWrapMirror;
-        default:
-            return sampler.invalid(key, fmt::format("{} is not a wrapping mode", *value));
-    }
+    if (!value) return kWrapRepeat;
+    const auto wrap = find_choice(kWrapCodes, *value);
+    if (!wrap) return sampler.invalid(key, fmt::format("{} is not a wrapping mode", *value));
+    return *wrap;
 }
 
 // Only magFilter is used: supersampling replaces minification filters.
 Result<std::uint32_t> read_filter(const Json& sampler) {
-    HM_TRY_ASSIGN(const auto magnify, sampler.integer("magFilter"));
-    if (magnify && *magnify != 9728 && *magnify != 9729)
-        return sampler.invalid("magFilter", fmt::format("{} is not a filter", *magnify));
+    const auto is_mipmap = [](std::uint64_t code) { return code >= 9984 && code <= 9987; };
     HM_TRY_ASSIGN(const auto minify, sampler.integer("minFilter"));
-    if (minify && *minify != 9728 && *minify != 9729 && (*minify < 9984 || *minify > 9987))
+    if (minify && !find_choice(kFilterCodes, *minify) && !is_mipmap(*minify))
         return sampler.invalid("minFilter", fmt::format("{} is not a filter", *minify));
-    return magnify == 9728u ? kFilterNearest : kFilterLinear;
+    HM_TRY_ASSIGN(const auto magnify, sampler.integer("magFilter"));
+    if (!magnify) return kFilterLinear;
+    const auto filter = find_choice(kFilterCodes, *magnify);
+    if (!filter) return sampler.invalid("magFilter", fmt::format("{} is not a filter", *magnify));
+    return *filter;
 }
 
 Result<std::vector<TextureSlot>> read_samplers(const Json& root) {

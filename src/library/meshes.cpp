@@ -29,11 +29,14 @@ std::span<const float> floats_of(std::span<const T> values) {
     return {reinterpret_cast<const float*>(values.data()), values.size() * (sizeof(T) / 4)};
 }
 
-std::uint32_t wrap_of(Wrap wrap) {
-    return wrap == Wrap::clamp    ? hm::kWrapClamp
-           : wrap == Wrap::mirror ? hm::kWrapMirror
-                                  : hm::kWrapRepeat;
+// The library's choices are those of the shading code.
+constexpr bool is(auto choice, std::uint32_t value) {
+    return std::uint32_t(choice) == value;
 }
+static_assert(is(Wrap::repeat, hm::kWrapRepeat) && is(Wrap::clamp, hm::kWrapClamp) &&
+              is(Wrap::mirror, hm::kWrapMirror));
+static_assert(is(AlphaMode::opaque, hm::kAlphaOpaque) && is(AlphaMode::mask, hm::kAlphaMask) &&
+              is(AlphaMode::blend, hm::kAlphaBlend));
 
 hm::TextureSlot slot_of(const std::optional<TextureSlot>& slot, const hm::Scene& scene) {
     hm::TextureSlot result;
@@ -41,8 +44,8 @@ hm::TextureSlot slot_of(const std::optional<TextureSlot>& slot, const hm::Scene&
     if (slot->texture >= scene.images.size())
         refuse(fmt::format("there is no texture {}", slot->texture));
     result.image = int(slot->texture);
-    result.wrap_u = wrap_of(slot->wrap_u);
-    result.wrap_v = wrap_of(slot->wrap_v);
+    result.wrap_u = std::uint32_t(slot->wrap_u);
+    result.wrap_v = std::uint32_t(slot->wrap_v);
     return result;
 }
 
@@ -128,9 +131,7 @@ std::uint32_t Scene::add_material(const Material& material) {
         added.roughness = material.roughness;
         added.specular_weight = material.specular;
         added.emissive_factor = to_glm(material.emission);
-        added.alpha_mode = material.alpha_mode == AlphaMode::mask    ? hm::kAlphaMask
-                           : material.alpha_mode == AlphaMode::blend ? hm::kAlphaBlend
-                                                                     : hm::kAlphaOpaque;
+        added.alpha_mode = std::uint32_t(material.alpha_mode);
         added.alpha_cutoff = material.alpha_cutoff;
         added.double_sided = material.double_sided;
         added.unlit = material.unlit;

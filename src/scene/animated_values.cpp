@@ -4,6 +4,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "scene/components.h"
 #include "scene/material_parameters.h"
 
 namespace hm {
@@ -13,66 +14,42 @@ namespace {
 template <class AnyScene>
 auto floats_of(AnyScene& scene, AnimatedValue value, std::size_t owner) {
     using Float = std::conditional_t<std::is_const_v<AnyScene>, const float, float>;
-    using Floats = std::span<Float>;
     if (find_material_factor(value)) return material_floats(scene.materials[owner], value);
     switch (value) {
-        case AnimatedValue::light_color:
-            return Floats(&scene.lights[owner].color.x, 3);
-        case AnimatedValue::light_intensity:
-            return Floats(&scene.lights[owner].intensity, 1);
-        case AnimatedValue::light_range:
-            return Floats(&scene.lights[owner].range, 1);
-        case AnimatedValue::inner_cone:
-            return Floats(&scene.lights[owner].inner_cone, 1);
-        case AnimatedValue::outer_cone:
-            return Floats(&scene.lights[owner].outer_cone, 1);
-        case AnimatedValue::yfov:
-            return Floats(&scene.cameras[owner].yfov, 1);
-        case AnimatedValue::xmag:
-            return Floats(&scene.cameras[owner].xmag, 1);
-        case AnimatedValue::ymag:
-            return Floats(&scene.cameras[owner].ymag, 1);
+#define HM_ANIMATED(value, pointer, table, member, low, high) \
+    case AnimatedValue::value:                                \
+        return components(scene.table[owner].member);
+#include "scene/animated_values.inl"
         default:
-            return Floats();
+            return std::span<Float>();
     }
 }
 
-struct Range {
+struct Numbers {
+    std::size_t count;
     float low, high;
 };
 
-Range range_of(AnimatedValue value) {
+Numbers numbers_of(AnimatedValue value) {
     constexpr float kMost = std::numeric_limits<float>::max();
-    constexpr float kLeast = 1e-4f;  // lower limit of values that must be above 0
+    constexpr float kLeast = 1e-4f;
     constexpr float kPi = 3.14159265f;
     if (const MaterialFactor* factor = find_material_factor(value))
-        return {factor->low, factor->high};
+        return {factor->components, factor->low, factor->high};
     switch (value) {
-        case AnimatedValue::node_visible:
-            return {0, 1};
-        case AnimatedValue::light_color:
-        case AnimatedValue::light_intensity:
-            return {0, kMost};
-        case AnimatedValue::light_range:
-        case AnimatedValue::xmag:
-        case AnimatedValue::ymag:
-            return {kLeast, kMost};
-        case AnimatedValue::inner_cone:
-            return {0, kPi / 2};
-        case AnimatedValue::outer_cone:
-            return {kLeast, kPi / 2};
-        case AnimatedValue::yfov:
-            return {kLeast, kPi - kLeast};
-        default:
-            return {0, 0};
+#define HM_ANIMATED(value, pointer, table, member, low, high) \
+    case AnimatedValue::value:                                \
+        return {sizeof(Scene{}.table[0].member) / sizeof(float), low, high};
+#include "scene/animated_values.inl"
+        default:  // node visibility
+            return {1, 0, 1};
     }
 }
 
 }  // namespace
 
 std::size_t width(AnimatedValue value) {
-    if (const MaterialFactor* factor = find_material_factor(value)) return factor->components;
-    return value == AnimatedValue::light_color ? 3 : 1;
+    return numbers_of(value).count;
 }
 
 std::array<float, 4> get_value(const Scene& scene, AnimatedValue value, std::size_t owner) {
@@ -96,7 +73,7 @@ void set_value(Scene& scene, AnimatedValue value, std::size_t owner, std::span<c
 }
 
 void clamp_value(AnimatedValue value, std::span<float> numbers) {
-    const Range range = range_of(value);
+    const Numbers range = numbers_of(value);
     for (float& number : numbers)
         number = std::clamp(number, range.low, range.high);
 }

@@ -33,20 +33,14 @@ struct Channel {
 };
 
 // Animated values other than node transforms and weights (animated_values.h). Material values are
-// named after the members of Material.
+// named after the members of Material. Generated from the two lists.
 enum class AnimatedValue {
     node_visible,
 #define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
     member,
 #include "shading/material/parameters.inl"
-    light_color,
-    light_intensity,
-    light_range,
-    inner_cone,
-    outer_cone,
-    yfov,
-    xmag,
-    ymag,
+#define HM_ANIMATED(value, pointer, table, member, low, high) value,
+#include "scene/animated_values.inl"
 };
 
 struct ValueChannel {

@@ -1,9 +1,35 @@
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
 #include "scene/flatten_parts.h"
 
 namespace hm {
 namespace {
 
 constexpr std::uint8_t kWhiteTexel[4] = {255, 255, 255, 255};
+
+// MaterialData keeps every parameter in a member of the parameter's type, apart from those that
+// multiply another one's, and has no other members than these and the three that add_material sets
+// by name.
+constexpr bool multiplies(std::string_view table) {
+    return table.ends_with("*=");
+}
+#define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
+    static_assert(multiplies(#table) ||                                                        \
+                  std::is_same_v<decltype(std::declval<MaterialData&>().table type{}), type&>);
+#define HM_TEXTURE(owner, key, slot, read, encoding, meaning) \
+    static_assert(std::is_same_v<decltype(MaterialData::slot), std::uint32_t>);
+#include "shading/material/parameters.inl"
+constexpr std::size_t kBytesOfParameters =
+#define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
+    (multiplies(#table) ? 0 : sizeof(type)) +
+#define HM_TEXTURE(owner, key, slot, read, encoding, meaning) sizeof(MaterialData::slot) +
+#include "shading/material/parameters.inl"
+    0;
+static_assert(sizeof(MaterialData) == kBytesOfParameters + sizeof(MaterialData::specular_weight) +
+                                          sizeof(MaterialData::alpha_mode) +
+                                          sizeof(MaterialData::flags));
 
 std::uint32_t add_texture_use(FlatScene& flat, const TextureSlot& slot) {
     if (slot.image == kUnset) return 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "scene/components.h"
+
 namespace hm {
 namespace {
 
@@ -12,17 +14,17 @@ constexpr BelowRange kRefuse = BelowRange::refuse;
 
 constexpr MaterialFactor kFactors[] = {
 #define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
-    {                                                                                          \
-        owner,                                                                                 \
-        key,                                                                                   \
-        AnimatedValue::member,                                                                 \
-        sizeof(type) / sizeof(float),                                                          \
-        start,                                                                                 \
-        low,                                                                                   \
-        high,                                                                                  \
-        below,                                                                                 \
-        animated,                                                                              \
-        meaning},
+    {owner,                                                                                    \
+     key,                                                                                      \
+     #member,                                                                                  \
+     AnimatedValue::member,                                                                    \
+     sizeof(type) / sizeof(float),                                                             \
+     start,                                                                                    \
+     low,                                                                                      \
+     high,                                                                                     \
+     below,                                                                                    \
+     animated,                                                                                 \
+     meaning},
 #include "shading/material/parameters.inl"
 };
 
@@ -32,21 +34,13 @@ constexpr MaterialTexture kTextures[] = {
 #include "shading/material/parameters.inl"
 };
 
-template <class Float, class Value>
-std::span<Float> floats(Value& value) {
-    if constexpr (std::is_same_v<std::remove_const_t<Value>, float>)
-        return {&value, 1};
-    else
-        return {&value[0], std::size_t(Value::length())};
-}
-
 template <class AnyMaterial>
 auto floats_of(AnyMaterial& material, AnimatedValue value) {
     using Float = std::conditional_t<std::is_const_v<AnyMaterial>, const float, float>;
     switch (value) {
 #define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
     case AnimatedValue::member:                                                                \
-        return floats<Float>(material.member);
+        return components(material.member);
 #include "shading/material/parameters.inl"
         default:
             return std::span<Float>();

@@ -19,6 +19,7 @@ enum class BelowRange { clamp, refuse };
 struct MaterialFactor {
     std::string_view owner;  // the JSON object that contains the key, see parameters.inl
     std::string_view key;
+    std::string_view name;  // of the member of Material: "base_color"
     AnimatedValue value;
     std::size_t components;
     float start;      // default value of every component

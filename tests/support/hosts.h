@@ -11,8 +11,8 @@ namespace hm::test {
 
 struct BsdfHost {
     RenderParams params{};
-    const vec2* albedo_table = shading_tables().albedo_table.data();
-    const vec2* albedo_average = shading_tables().albedo_average.data();
+#define HM_CONSTANT_TABLE(number, Type, name, rows) const Type* name = shading_tables().name.data();
+#include "shading/tables.inl"
 
     explicit BsdfHost(bool energy_compensation) {
         params.energy_compensation = energy_compensation ? 1 : 0;
@@ -23,9 +23,8 @@ struct BsdfHost {
 
 struct SamplerHost {
     RenderParams params{};
-    const uint* sobol_directions = shading_tables().sobol_directions.data();
-    const uvec4* sobol_nibbles = shading_tables().sobol_nibbles.data();
-    const uint* blue_noise = shading_tables().blue_noise.data();
+#define HM_CONSTANT_TABLE(number, Type, name, rows) const Type* name = shading_tables().name.data();
+#include "shading/tables.inl"
 
     SamplerHost(uint kind, uint seed) {
         params.sampler_kind = kind;

@@ -46,13 +46,6 @@ std::string names_line(const std::string& what, const std::vector<std::string>& 
     return names.empty() ? "" : fmt::format("{}: {}\n", what, text);
 }
 
-void write_names(JsonWriter& json, const char* key, const std::vector<std::string>& names) {
-    json.key(key).begin_array();
-    for (const std::string& name : names)
-        json.value(name);
-    json.end_array();
-}
-
 void write_optional(JsonWriter& json, const char* key, const std::optional<double>& number) {
     json.key(key);
     if (number)
@@ -82,10 +75,7 @@ void write_layer(JsonWriter& json, const LayerError& e, bool encoded) {
         json.field("comparisons", std::uint64_t(e.z_test->comparisons));
         json.field("beyond", std::uint64_t(e.z_test->beyond));
         json.field("threshold", e.z_test->threshold).field("largest", e.z_test->largest);
-        json.key("means").begin_array();
-        for (const double z : e.z_test->whole)
-            json.value(z);
-        json.end_array().end_object();
+        json.key("means").values(e.z_test->whole).end_object();
     }
     json.end_object();
 }
@@ -118,10 +108,10 @@ std::string compare_json(const CompareOptions& options, const CompareReport& rep
     for (const LayerError& layer : report.layers)
         write_layer(json, layer, report.encoded);
     json.end_array();
-    write_names(json, "only_in_test", report.only_test);
-    write_names(json, "only_in_reference", report.only_reference);
-    write_names(json, "different_channels", report.different_channels);
-    write_names(json, "exceeded", report.exceeded);
+    json.key("only_in_test").values(report.only_test);
+    json.key("only_in_reference").values(report.only_reference);
+    json.key("different_channels").values(report.different_channels);
+    json.key("exceeded").values(report.exceeded);
     json.end_object();
     return json.text() + "\n";
 }

@@ -1,8 +1,10 @@
 // The report as JSON; docs/info-schema.md and docs/info.schema.json describe it.
 #include <algorithm>
+#include <span>
 
 #include "app/cli/info_report.h"
 #include "base/json_writer.h"
+#include "scene/material_parameters.h"
 
 namespace hm::cli {
 namespace {
@@ -39,14 +41,6 @@ void write_list(JsonWriter& json, std::string_view key, const Items& items, Writ
     json.end_array();
 }
 
-template <class Strings>
-void write_strings(JsonWriter& json, std::string_view key, const Strings& strings) {
-    json.key(key).begin_array();
-    for (const auto& text : strings)
-        json.value(std::string_view(text));
-    json.end_array();
-}
-
 void write_counts(JsonWriter& json, const FileCounts& c) {
     json.key("counts").begin_object();
     json.field("scenes", c.scenes).field("nodes", c.nodes).field("meshes", c.meshes);
@@ -71,9 +65,9 @@ void write_file(JsonWriter& json, const std::optional<FileSummary>& file) {
         json.field("name", e.name).field("required", e.required).field("treatment", treatment(e));
     });
     write_counts(json, file->counts);
-    write_strings(json, "scenes", file->scenes);
+    json.key("scenes").values(file->scenes);
     json.field("scene", file->scene);
-    write_strings(json, "variants", file->variants);
+    json.key("variants").values(file->variants);
     json.end_object();
 }
 
@@ -127,13 +121,19 @@ void write_meshes(JsonWriter& json, const InfoReport& report) {
     });
 }
 
+void write_factor(JsonWriter& json, const MaterialFactor& factor, std::span<const float> numbers) {
+    if (factor.components == 1)
+        json.field(factor.name, double(numbers[0]));
+    else
+        write_numbers(json, factor.name, numbers, factor.components);
+}
+
 void write_materials(JsonWriter& json, const Scene& scene) {
     write_list(json, "materials", scene.materials, [&](std::size_t, const Material& m) {
         json.field("name", m.name).field("alpha_mode", alpha_mode_name(m.alpha_mode));
-        json.field("alpha_cutoff", double(m.alpha_cutoff));
         json.field("double_sided", m.double_sided).field("unlit", m.unlit);
-        write_numbers(json, "base_color", m.base_color, 4);
-        json.field("metallic", double(m.metallic)).field("roughness", double(m.roughness));
+        for (const MaterialFactor& factor : material_factors())
+            write_factor(json, factor, material_floats(m, factor.value));
         write_numbers(json, "emissive", m.emissive(), 3);
         write_list(json, "textures", used_slots(m), [&](std::size_t, const NamedSlot& used) {
             json.field("role", used.role);
@@ -148,7 +148,7 @@ void write_images(JsonWriter& json, const Scene& scene) {
     write_list(json, "images", scene.images, [&](std::size_t i, const TextureImage& image) {
         json.field("width", image.width()).field("height", image.height());
         json.field("format", format_name(image.format())).field("bytes", image.bytes().size());
-        write_strings(json, "roles", roles[i]);
+        json.key("roles").values(roles[i]);
     });
 }
 

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "app/cli/info_report.h"
 #include "base/text.h"
+#include "scene/material_parameters.h"
 
 namespace hm::cli {
 namespace {
@@ -161,17 +163,31 @@ void describe_meshes(Lines& out, const InfoReport& report) {
     });
 }
 
+// The metallic-roughness model's factors, and others that differ from their defaults. Unlit
+// materials only have a colour.
+bool is_shown(const MaterialFactor& factor, std::span<const float> numbers, bool unlit) {
+    if (unlit) return factor.value == AnimatedValue::base_color;
+    return factor.owner == "pbrMetallicRoughness" ||
+           std::any_of(numbers.begin(), numbers.end(), [&](float x) { return x != factor.start; });
+}
+
+// ", base color 1 0.5 0.5 1"
+std::string factor_text(const MaterialFactor& factor, std::span<const float> numbers) {
+    std::string text(factor.name);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return fmt::format(", {} {:g}", text, fmt::join(numbers, " "));
+}
+
 void describe_materials(Lines& out, const Scene& scene) {
     out.section("Materials", scene.materials, [](std::size_t i, const Material& m) {
         std::string text =
             fmt::format("{}{}: {}", i, name_in_quotes(m.name), alpha_mode_name(m.alpha_mode));
-        if (m.alpha_mode == kAlphaMask) text += fmt::format(" at {:g}", m.alpha_cutoff);
         if (m.double_sided) text += ", double sided";
         if (m.unlit) text += ", unlit";
-        text += fmt::format(", color {} {:g}", vector_text(vec3(m.base_color)), m.base_color.w);
-        if (!m.unlit)
-            text += fmt::format(", metallic {:g}, roughness {:g}", m.metallic, m.roughness);
-        if (m.emissive() != vec3(0)) text += ", emissive " + vector_text(m.emissive());
+        for (const MaterialFactor& factor : material_factors()) {
+            const std::span<const float> numbers = material_floats(m, factor.value);
+            if (is_shown(factor, numbers, m.unlit)) text += factor_text(factor, numbers);
+        }
         for (const NamedSlot& used : used_slots(m))
             text += fmt::format(", {} image {}", used.role, used.slot->image);
         return text;
