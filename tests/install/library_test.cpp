@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <himalaya/himalaya.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -119,6 +121,106 @@ TEST(Library, ATextureAndANormalMapAreRead) {
     const std::span<const float> middle = picture.pixels().subspan(4 * (8 * 24 + 12), 4);
     EXPECT_NEAR(middle[0], 1 / 3.14159265f, 2e-3f);  // 8 bits hold no exact (0, 0, 1)
     EXPECT_EQ(middle[1], 0);
+}
+
+// A floor under a lamp, seen by a camera, all moved by `offset`.
+Scene lit_floor(Vec3d offset) {
+    const std::array<Vec3, 4> corners = {Vec3{-2, 0, 2}, Vec3{2, 0, 2}, Vec3{2, 0, -2},
+                                         Vec3{-2, 0, -2}};
+    const std::array<Triangle, 2> triangles = {Triangle{0, 1, 2}, Triangle{0, 2, 3}};
+    const auto at = [&](double x, double y, double z) {
+        return translation({offset.x + x, offset.y + y, offset.z + z});
+    };
+    Scene scene;
+    Mesh mesh;
+    mesh.positions = corners;
+    mesh.triangles = triangles;
+    scene.add_instance(scene.add_mesh(mesh), at(0.013, -0.5, -6.1));
+    Light lamp;
+    lamp.intensity = 10;
+    scene.add_light(lamp, at(0.7, 1.3, -5.2));
+    scene.add_camera({}, at(0.1, 0.2, 0));
+    return scene;
+}
+
+// The transforms' doubles resolve 1e-10 m at this distance, floats 0.06 m.
+TEST(Library, AFarSceneIsRenderedLikeANearOne) {
+    const Vec3d far{1e6 + 0.37, -2e6 - 0.11, 3e6 + 0.53};
+    Scene near_scene = lit_floor({}), far_scene = lit_floor(far);
+    RenderSettings settings = small_settings();
+    settings.aovs = {"depth"};
+    for (const bool from_eye : {false, true}) {
+        SCOPED_TRACE(from_eye);
+        if (from_eye) {
+            settings.view.eye = Vec3d{0.1, 0.2, 0};
+            settings.view.target = Vec3d{0, -0.5, -6};
+        }
+        const Picture near_picture = cpu().render(near_scene, settings);
+        if (from_eye) {
+            settings.view.eye = Vec3d{far.x + 0.1, far.y + 0.2, far.z};
+            settings.view.target = Vec3d{far.x, far.y - 0.5, far.z - 6};
+        }
+        const Picture far_picture = cpu().render(far_scene, settings);
+        float brightest = 0;
+        for (std::size_t i = 0; i < near_picture.pixels().size(); ++i) {
+            const float expected = near_picture.pixels()[i];
+            EXPECT_NEAR(far_picture.pixels()[i], expected, 1e-4f * expected + 1e-6f) << i;
+            brightest = std::max(brightest, i % 4 == 3 ? 0 : expected);
+        }
+        EXPECT_GT(brightest, 0.1f);
+        const Layer depth = near_picture.layer("depth"), far_depth = far_picture.layer("depth");
+        for (std::size_t i = 0; i < depth.values.size(); ++i)
+            EXPECT_NEAR(far_depth.values[i], depth.values[i], 1e-4f) << i;
+    }
+}
+
+// The sum of relative squared errors: the edges of the lamp would dominate absolute ones.
+double error_of(const Picture& picture, const Picture& reference) {
+    double sum = 0;
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
+        const double expected = double(reference.pixels()[i]);
+        const double difference = double(picture.pixels()[i]) - expected;
+        sum += difference * difference / (expected * expected + 0.01);
+    }
+    return sum;
+}
+
+// Open Image Denoise is optional: without it the picture is refused, not rendered noisy.
+TEST(Library, Denoises) {
+    Scene scene = Scene::load(source_file("scenes/cornell.glb"));
+    RenderSettings settings;
+    settings.frame.width = settings.frame.height = 64;
+    settings.light.environment = Environment::none;
+    settings.sampling.samples = 4;
+    const Picture noisy = cpu().render(scene, settings);
+    settings.denoise = true;
+    if (!std::filesystem::exists(source_file("build/oidn/version"))) {
+        try {
+            cpu().render(scene, settings);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::no_device);
+            GTEST_SKIP() << error.what();
+        }
+    }
+    const Picture denoised = cpu().render(scene, settings);
+    settings.denoise = false;
+    settings.sampling.samples = 256;
+    const Picture reference = cpu().render(scene, settings);
+    EXPECT_LT(error_of(denoised, reference), 0.5 * error_of(noisy, reference));
+
+    // The samples are the same, and what was denoised is a layer beside them.
+    const std::vector<std::string> names = denoised.layer_names();
+    EXPECT_EQ(std::count(names.begin(), names.end(), "denoised"), 1);
+    const Layer layer = denoised.layer("denoised");
+    const std::size_t channels = layer.channels.size();
+    ASSERT_EQ(layer.values.size(), channels * 64 * 64);
+    for (std::size_t i = 0; i < 64 * 64; ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto at =
+                std::find(layer.channels.begin(), layer.channels.end(), std::string(1, "RGB"[c])) -
+                layer.channels.begin();
+            ASSERT_EQ(layer.values[i * channels + std::size_t(at)], denoised.pixels()[4 * i + c]);
+        }
 }
 
 TEST(Library, CancelledPicturesKeepWhatWasDrawn) {
