@@ -1,5 +1,5 @@
-// Measures the CPU's acceleration structure on a generated scene: building it, and tracing coherent
-// camera rays, diffuse bounces and shadow rays with every build of the traversal, on one thread.
+// Measures the CPU's acceleration structure on a generated scene: build time, and single-threaded
+// tracing of coherent camera rays, diffuse bounces and shadow rays for each instruction set.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace hm;
 
-// A small generator is enough here; it is not what the renderer draws from.
+// A linear congruential generator; the renderer has its own samplers.
 struct Random {
     std::uint64_t state;
     float next() {
@@ -32,7 +32,7 @@ struct Surface {
     std::vector<uvec3> triangles;
 };
 
-// A grid of nu x nv quads over [0, 1]^2 moved to where `place` says.
+// A grid of nu x nv quads over [0, 1]^2, mapped to positions by `place`.
 template <class Place>
 Surface make_grid(std::uint32_t nu, std::uint32_t nv, Place place) {
     Surface s;
@@ -119,7 +119,7 @@ Scene make_scene() {
     return scene;
 }
 
-// From where the camera rays hit: cosine-distributed directions, in the pixels' order.
+// Rays from the camera rays' hits in cosine-distributed directions, in pixel order.
 std::vector<Ray> diffuse_rays(const Scene& scene, const std::vector<Ray>& rays,
                               const std::vector<Hit>& hits,
                               const std::vector<std::uint8_t>& found) {
@@ -149,15 +149,15 @@ std::vector<Ray> shuffled(std::vector<Ray> rays) {
     return rays;
 }
 
-// Processor time of this thread: others on the machine disturb it less than the wall clock.
+// CPU time of this thread: less sensitive to other processes than wall-clock time.
 double thread_seconds() {
     timespec t;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
     return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
-// Rays are traced in blocks of a few milliseconds, all of them several times over; each block
-// counts with its fastest time, so a block that was interrupted does not count.
+// Traces the rays in blocks of a few milliseconds, several times, and sums the fastest time of each
+// block, which excludes interrupted ones.
 double mrays_per_second(void (*trace)(TraceBatch&), const BvhView& view,
                         const std::vector<Ray>& rays, std::vector<Hit>& hits,
                         std::vector<std::uint8_t>& found) {
@@ -187,7 +187,7 @@ double mrays_per_second(void (*trace)(TraceBatch&), const BvhView& view,
     return double(rays.size()) / seconds * 1e-6;
 }
 
-// Rays of all kinds with one build of the traversal, in millions per second.
+// Millions of rays per second of each kind, with one build of the traversal code.
 void write_rates(JsonWriter& json, const TraceVariant& variant, const Scene& scene,
                  const BvhView& view, const std::vector<Ray>& camera) {
     std::vector<Hit> hits;

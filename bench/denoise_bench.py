@@ -3,10 +3,10 @@
 
     bench/denoise_bench.py [--himalaya PROGRAM] [--device cpu|vulkan] [--scenes a,b] > OUT.json
 
-Draws each shipped scene at 320 x 180 with 4, 16 and 64 samples under two seeds, denoises it, and
-measures relMSE and FLIP of both with `himalaya compare`. Beside the default, which denoises albedo
-and normal first, it measures them taken as they are and none at all. References are kept in
-build/denoise_bench. Exits with 1 where the denoised picture measures worse than the raw one.
+Renders each shipped scene at 320 x 180 with 4, 16 and 64 samples and two seeds, denoises it, and
+measures relMSE and FLIP of both pictures with `himalaya compare`. By default albedo and normal are
+denoised first; it also measures with noisy guides and without guides. References are cached in
+build/denoise_bench. Exits with 1 if a denoised picture has a larger error than the raw one.
 """
 
 import argparse

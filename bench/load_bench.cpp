@@ -1,6 +1,6 @@
-// Measures loading glTF files beside what can't be avoided: reading their bytes and building the
-// acceleration structure. Every file is measured in processes of its own, for its peak of memory,
-// and the middle one of several runs is printed.
+// Measures loading glTF files, compared with the unavoidable cost: reading their bytes and building
+// the acceleration structure. Each run is a separate process, to measure its peak memory; the
+// median run of each file is printed.
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <tbb/parallel_for.h>
@@ -37,7 +37,7 @@ Times measure(const Work& work) {
     return {wall_seconds() - wall, processor_seconds() - processor};
 }
 
-// Peak of resident memory since the last reset, MiB.
+// Peak resident memory since the last reset, MiB.
 double peak_mib() {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
@@ -72,9 +72,9 @@ struct Measured {
     double time_ratio, memory_ratio;
 };
 
-// In this process.
+// Measures in this process.
 Result<Measured> measure_here(const std::string& path) {
-    // The threads start once in a program's life, and the building alone would need them too.
+    // Starts the thread pool before the clock: the build alone would need it too.
     tbb::parallel_for(0, 1000, [](int) {});
     const Times read = measure([&] { (void)read_file(path); });
     reset_peak();
@@ -95,7 +95,7 @@ Result<Measured> measure_here(const std::string& path) {
     return m;
 }
 
-// In a process of its own; nothing where that failed.
+// Measures in a child process; nullopt if it fails.
 std::optional<Measured> measure_apart(const std::string& path) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) return std::nullopt;
@@ -113,7 +113,7 @@ std::optional<Measured> measure_apart(const std::string& path) {
     return whole ? std::optional(m) : std::nullopt;
 }
 
-// The run whose time ratio is in the middle: now and then the system hands out memory slowly.
+// The run with the median time ratio: page faults are occasionally slow.
 std::optional<Measured> median(const std::string& path) {
     constexpr std::size_t kRuns = 9;
     std::vector<Measured> runs;

@@ -1,5 +1,5 @@
-// Writes large GLB files for load_bench: a wavy surface of many triangles, many nodes that show one
-// small mesh, or one node that draws it many times (EXT_mesh_gpu_instancing).
+// Writes large GLB files for load_bench: a wavy surface of many triangles, many nodes with the same
+// small mesh, or one node with many instances of it (EXT_mesh_gpu_instancing).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace hm {
 namespace {
 
 // The accessors, in the order in which they are added.
-constexpr int kPositions = 0, kNormals = 1, kUvs = 2, kIndices = 3, kPlaces = 4;
+constexpr int kPositions = 0, kNormals = 1, kUvs = 2, kIndices = 3, kTranslations = 4;
 
 struct Surface {
     std::vector<float> positions, normals, uvs;
@@ -46,7 +46,7 @@ Surface make_surface(std::uint32_t n) {
     return s;
 }
 
-// "min" and "max", which positions must have.
+// "min" and "max", which glTF requires for positions.
 void write_limits(JsonWriter& json, const std::vector<float>& positions) {
     std::array<float, 3> low{positions[0], positions[1], positions[2]}, high = low;
     for (std::size_t i = 3; i < positions.size(); ++i) {
@@ -56,16 +56,16 @@ void write_limits(JsonWriter& json, const std::vector<float>& positions) {
     json.key("min").values(low).key("max").values(high);
 }
 
-// Places on a square lattice.
-std::vector<float> make_places(std::uint32_t count) {
+// Positions on a square lattice.
+std::vector<float> make_positions(std::uint32_t count) {
     const auto side = std::uint32_t(std::ceil(std::sqrt(double(count))));
-    std::vector<float> places;
+    std::vector<float> positions;
     for (std::uint32_t i = 0; i < count; ++i)
-        places.insert(places.end(), {3 * float(i % side), 0, 3 * float(i / side)});
-    return places;
+        positions.insert(positions.end(), {3 * float(i % side), 0, 3 * float(i / side)});
+    return positions;
 }
 
-// The binary part of the file, and the arrays of the document that describe it.
+// The binary chunk, and the arrays of the document that describe it.
 class Buffer {
   public:
     Buffer() {
@@ -105,18 +105,18 @@ class Buffer {
 void write_instances(JsonWriter& json) {
     json.begin_object().field("mesh", 0).key("extensions").begin_object();
     json.key("EXT_mesh_gpu_instancing").begin_object().key("attributes").begin_object();
-    json.field("TRANSLATION", kPlaces).end_object().end_object().end_object().end_object();
+    json.field("TRANSLATION", kTranslations).end_object().end_object().end_object().end_object();
 }
 
-// A node at each place that shows the mesh.
-void write_nodes(JsonWriter& json, const std::vector<float>& places) {
-    for (std::size_t i = 0; 3 * i < places.size(); ++i) {
+// One node with the mesh at each position.
+void write_nodes(JsonWriter& json, const std::vector<float>& positions) {
+    for (std::size_t i = 0; 3 * i < positions.size(); ++i) {
         json.begin_object().field("mesh", 0).field("name", fmt::format("node {}", i));
-        json.key("translation").values(std::span(places).subspan(3 * i, 3)).end_object();
+        json.key("translation").values(std::span(positions).subspan(3 * i, 3)).end_object();
     }
 }
 
-std::string document(std::string_view kind, Buffer& buffer, const std::vector<float>& places) {
+std::string document(std::string_view kind, Buffer& buffer, const std::vector<float>& positions) {
     JsonWriter json;
     json.begin_object(JsonLayout::compact);
     json.key("asset").begin_object().field("version", "2.0").end_object();
@@ -129,9 +129,9 @@ std::string document(std::string_view kind, Buffer& buffer, const std::vector<fl
     json.key("nodes").begin_array();
     if (kind == "triangles") json.begin_object().field("mesh", 0).end_object();
     if (kind == "instances") write_instances(json);
-    if (kind == "nodes") write_nodes(json, places);
+    if (kind == "nodes") write_nodes(json, positions);
     json.end_array().key("scenes").begin_array().begin_object().key("nodes").begin_array();
-    for (std::size_t i = 0; i < (kind == "nodes" ? places.size() / 3 : 1); ++i)
+    for (std::size_t i = 0; i < (kind == "nodes" ? positions.size() / 3 : 1); ++i)
         json.value(i);
     json.end_array().end_object().end_array().field("scene", 0).end_object();
     std::string text = json.text();
@@ -170,14 +170,14 @@ int main(int count, char** arguments) {
     }
     const Surface s =
         make_surface(kind == "triangles" ? std::uint32_t(std::sqrt(double(n) / 2)) : 16);
-    const std::vector<float> places = make_places(n);
+    const std::vector<float> positions = make_positions(n);
     Buffer buffer;
     buffer.add(s.positions, "VEC3", 3, 5126, true);
     buffer.add(s.normals, "VEC3", 3, 5126);
     buffer.add(s.uvs, "VEC2", 2, 5126);
     buffer.add(s.indices, "SCALAR", 1, 5125);
-    if (kind == "instances") buffer.add(places, "VEC3", 3, 5126);
-    if (write_glb(arguments[3], document(kind, buffer, places), buffer.binary())) return 0;
+    if (kind == "instances") buffer.add(positions, "VEC3", 3, 5126);
+    if (write_glb(arguments[3], document(kind, buffer, positions), buffer.binary())) return 0;
     fmt::print(stderr, "{}: can't be written\n", arguments[3]);
     return 6;
 }

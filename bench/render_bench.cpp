@@ -2,12 +2,11 @@
 //
 //     render_bench [--errors] [--aovs] SCENE[:ENVIRONMENT] ...
 //
-// SCENE is a glTF file; ENVIRONMENT a .hdr or .exr, "none", or absent for the default one. Rates
-// are per second of wall clock with all cores and, steadier on a busy machine, per processor
-// second. Errors are relative mean squared errors against 4096 samples of Owen-scrambled Sobol
-// under another seed, at 96 x 64, averaged over seeds. --aovs: processor
-// time with each AOV, and with all, as a ratio to none; the error with the variance AOV as a ratio
-// to that without.
+// SCENE is a glTF file; ENVIRONMENT is a .hdr or .exr file, "none", or absent for the default one.
+// Rates are per wall-clock second with all cores and per CPU second, which varies less on a busy
+// machine. Errors are relative mean squared errors at 96 x 64, averaged over seeds; the reference
+// has 4096 samples of Owen-scrambled Sobol with another seed. --aovs: CPU time with each AOV, and
+// with all, relative to none; the error with the variance AOV relative to that without it.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -132,7 +131,7 @@ void measure_errors(JsonWriter& json, const BenchScene& bench, CpuRenderer& rend
     json.end_object();
 }
 
-// The best of three turns, in each of which none goes first.
+// The minimum of three rounds; each round measures all choices, so that drift affects all alike.
 void measure_aovs(JsonWriter& json, const BenchScene& bench, Renderer& renderer,
                   const std::vector<std::string>& light_groups) {
     std::vector<std::pair<std::string, AovSelection>> choices = {{"none", {}}};
@@ -140,7 +139,7 @@ void measure_aovs(JsonWriter& json, const BenchScene& bench, Renderer& renderer,
         choices.push_back({std::string(info.name), {{info.aov}, {}, false}});
     choices.push_back({"all", {*parse_aovs("all,variance"), {}, false}});
     std::vector<double> best(choices.size(), 1e30);
-    for (int turn = 0; turn < 3; ++turn)
+    for (int round = 0; round < 3; ++round)
         for (std::size_t i = 0; i < choices.size(); ++i) {
             RenderCounters counters;
             AovSelection& aovs = choices[i].second;
@@ -155,8 +154,8 @@ void measure_aovs(JsonWriter& json, const BenchScene& bench, Renderer& renderer,
     json.end_object();
 }
 
-// What dealing Sobol samples to replicates costs: the mean squared error with the variance AOV over
-// that without.
+// The cost of splitting Sobol samples into replicates: the mean squared error with the variance AOV
+// relative to that without it.
 void measure_replicates(JsonWriter& json, const BenchScene& bench, Renderer& renderer) {
     constexpr std::uint32_t width = 48, height = 32;
     RenderCounters counters;

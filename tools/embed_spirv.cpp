@@ -1,10 +1,9 @@
-// embed_spirv IN.spv OUT.spv WORDS.h: forbids contraction in a shader, and writes it as a C++
-// array.
+// embed_spirv IN.spv OUT.spv WORDS.h: forbids contraction in a shader and writes it as a C++ array.
 //
-// Otherwise a device may compute a * b + c with one rounding where C++ has two, and paths on a GPU
-// would diverge from the CPU's (shading/exact.glsl). GLSL can forbid it with `precise`, one
-// variable at a time; this decorates every arithmetic instruction with NoContraction, except in
-// functions marked HM_MAY_CONTRACT, which have a variable of the name below.
+// With contraction a device may compute a * b + c with one rounding where C++ has two, so paths on
+// the GPU would diverge from the CPU's (shading/exact.glsl). GLSL can only forbid it per variable
+// (`precise`). This tool decorates every arithmetic instruction with NoContraction, except in
+// functions marked HM_MAY_CONTRACT, which contain a variable of the name below.
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -24,7 +23,7 @@ using Words = std::vector<std::uint32_t>;
 
 struct Instruction {
     spv::Op opcode;
-    std::span<const std::uint32_t> words;  // the first holds opcode and length
+    std::span<const std::uint32_t> words;  // the first word contains opcode and length
     std::size_t begin;
 };
 
@@ -42,7 +41,7 @@ bool for_each_instruction(const Words& module, const Visit& visit) {
     return true;
 }
 
-// Floating-point sums, products and what consists of them. The result is word 2.
+// Floating-point sums, products and operations composed of them. Word 2 is the result id.
 bool is_arithmetic(spv::Op opcode) {
     switch (opcode) {
         case spv::Op::OpFNegate:

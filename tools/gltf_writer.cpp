@@ -23,7 +23,7 @@ std::span<const std::byte> bytes_of(const std::vector<T>& values) {
     return std::as_bytes(std::span<const T>(values));
 }
 
-// The members of an object that `write` adds to a writer, as one line.
+// A JSON object on one line, with the members that `write` adds.
 template <class Write>
 std::string object_text(const Write& write) {
     JsonWriter json;
@@ -36,7 +36,7 @@ void write_vector(JsonWriter& json, std::string_view key, std::span<const float>
     json.key(key).values(vector);
 }
 
-// Six digits: nodes are many, and a micrometre in a metre is enough for them.
+// Six digits keep the file small; a micrometre per metre is precise enough for nodes.
 void write_rounded(JsonWriter& json, std::string_view key, std::span<const float> vector) {
     json.key(key).begin_array();
     for (const float x : vector)
@@ -53,7 +53,7 @@ void write_texture(JsonWriter& json, std::string_view key, int texture) {
     if (texture >= 0) json.key(key).begin_object().field("index", texture).end_object();
 }
 
-// Only what differs from the format's defaults, apart from the factors.
+// Omits properties that have their default values, except factors.
 void write_material(JsonWriter& json, const GltfMaterial& m) {
     json.key("pbrMetallicRoughness").begin_object();
     write_vector(json, "baseColorFactor", components(m.color));

@@ -51,9 +51,9 @@ struct GltfNode {
 
 class GltfWriter {
   public:
-    // Writes a triangle mesh's accessors. Texture coordinates and tangents are left out if
-    // `material` does not read them; indices take 16 bits where they fit. Further primitives may
-    // use the same geometry with a material that reads the same.
+    // Writes a triangle mesh's accessors. Texture coordinates and tangents are omitted if
+    // `material` does not use them; indices have 16 bits if they fit. Other primitives may share
+    // the geometry if their materials use the same attributes.
     GltfPrimitive add_primitive(const TriangleMesh& mesh, int material);
 
     Result<int> add_texture(const std::string& name, const Picture& picture);
@@ -92,7 +92,7 @@ class GltfWriter {
     std::vector<std::byte> buffer_;
     std::vector<Geometry> geometries_;
     std::vector<MaterialNeeds> needs_;  // one per material
-    // JSON objects.
+    // Each item is a JSON object.
     std::vector<std::string> views_, accessors_, images_, textures_, materials_, meshes_, cameras_,
         lights_, nodes_;
     std::set<std::string> extensions_;

@@ -12,7 +12,7 @@ struct HeroMaterials {
     int rope, bark, blossom, leaf, grass, conifer, terrain;
     int scarf, glass, mist;
     int flame;
-    int flags[5];  // blue, white, red, green, yellow: the order they are hung in
+    int flags[5];  // blue, white, red, green, yellow: in hanging order
 };
 
 HeroMaterials add_hero_materials(GltfWriter& writer, const HeroTextures& textures,

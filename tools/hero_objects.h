@@ -1,4 +1,4 @@
-// The hero scene's things within reach: shrine, prayer flags, wall, table with vessels.
+// The hero scene's objects: shrine, prayer flags, wall, table with vessels, and the landscape.
 #pragma once
 
 #include "gltf_writer.h"
@@ -6,7 +6,7 @@
 
 namespace hm {
 
-// Adds meshes that share a geometry, and places them.
+// Adds meshes, sharing geometry where possible, and nodes that place them.
 class HeroBuilder {
   public:
     HeroBuilder(GltfWriter& writer, const HeroMaterials& materials)

@@ -46,7 +46,7 @@ TriangleMesh make_dome() {
     return make_revolved(smooth_profile(knots, 6), 72, 3, 0.9f);
 }
 
-// Thirteen rings that narrow to a parasol, a vase and a flame's tip.
+// Thirteen tapering rings, topped by a parasol, a vase and a flame.
 TriangleMesh make_spire() {
     std::vector<glm::vec2> profile = {{0.19f, 0}};
     for (int ring = 0; ring < 13; ++ring) {
@@ -75,8 +75,7 @@ TriangleMesh make_spire() {
     return make_revolved(profile, 48, 1, 1);
 }
 
-// A flag of 0.30 x 0.27 m that hangs from the origin along x; the wind's phase makes it one of a
-// few.
+// A flag of 0.30 x 0.27 m, hanging from the origin along x; `phase` of the wind selects a variant.
 TriangleMesh make_flag(float phase) {
     return make_surface(14, 12, [phase](float s, float t) {
         const float down = 1 - t;
@@ -144,7 +143,7 @@ void HeroBuilder::add_flag_line(glm::vec3 from, glm::vec3 to, float sag, int cou
     writer_.add_object("rope", tube, materials_.rope);
 
     GltfPrimitive shapes[3];
-    int meshes[3][5];  // made when the first flag needs them
+    int meshes[3][5];  // created on first use
     for (int shape = 0; shape < 3; ++shape) {
         const float phase = 2.1f * float(shape) + float(count);
         shapes[shape] = writer_.add_primitive(make_flag(phase), materials_.flags[0]);
@@ -153,7 +152,7 @@ void HeroBuilder::add_flag_line(glm::vec3 from, glm::vec3 to, float sag, int cou
     const float step = 0.93f / float(count);
     for (int i = 0; i < count; ++i) {
         const float t = 0.05f + step * float(i);
-        // x along the rope from its left to its right end, so that the print is not mirrored.
+        // The x axis follows the rope from left to right, so that the print is not mirrored.
         glm::vec3 along = on_rope(from, to, sag, t + step) - on_rope(from, to, sag, t);
         if (along.x < 0) along = -along;
         const float swing = 0.25f * (hash_unit(std::uint32_t(i), std::uint32_t(count), 700) - 0.3f);

@@ -29,7 +29,7 @@ glm::vec3 clear_sky(glm::vec3 d) {
     return color;
 }
 
-// Thin, drawn-out clouds on a plane overhead, lit from the sun's side.
+// Thin, elongated clouds on a plane overhead, lit from the direction of the sun.
 glm::vec3 add_clouds(glm::vec3 sky, glm::vec3 d) {
     if (d.y < 0.02f) return sky;
     const glm::vec2 p = glm::vec2(d.x, d.z) / (d.y + 0.16f);

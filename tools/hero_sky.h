@@ -1,5 +1,5 @@
-// The hero scene's sky as a picture of radiance around the viewer, without the sun's disc: the sun
-// is the scene's directional light.
+// The hero scene's sky as an environment map, without the sun's disc: the sun is a directional
+// light of the scene.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace hm {
 
-// Towards the sun, unit; low in the left.
+// Unit vector towards the sun, which is low and to the left.
 glm::vec3 hero_sun_direction();
 
 // Equirectangular, 1024 x 512: u = 0.5 + atan2(z, x) / 2 pi, v = acos(y) / pi.

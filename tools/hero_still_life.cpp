@@ -1,5 +1,5 @@
 // The hero scene's table: singing bowl, copper ewer, vase with a flowering branch, butter lamps,
-// prayer beads and a silk scarf. Positions on the table are in its own frame, metres.
+// prayer beads and a silk scarf. Positions on the table are in the table's frame, metres.
 #include <array>
 #include <cmath>
 
@@ -125,7 +125,7 @@ TriangleMesh make_blossom() {
     return mesh;
 }
 
-// Silk over the table's front edge: flat for `kFlat`, then hanging.
+// A silk scarf over the table's front edge: flat for `kFlat`, then hanging.
 TriangleMesh make_scarf() {
     constexpr float kFlat = 0.34f, kHang = 0.50f, kBend = 0.012f, kWidth = 0.21f;
     return make_surface(28, 80, [=](float s, float t) {

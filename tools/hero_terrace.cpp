@@ -1,4 +1,4 @@
-// Paving, parapet, pebbles and grass of the hero scene, and the land beyond.
+// Paving, parapet, pebbles and grass of the hero scene, and the landscape beyond.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +29,7 @@ TriangleMesh make_pebble(std::uint32_t seed) {
     return mesh;
 }
 
-// Blades that lean out of one root.
+// Blades of grass from a common root.
 TriangleMesh make_tuft(std::uint32_t seed) {
     TriangleMesh tuft;
     for (std::uint32_t i = 0; i < 22; ++i) {
@@ -50,7 +50,7 @@ TriangleMesh make_tuft(std::uint32_t seed) {
     return tuft;
 }
 
-// A fir as stacked, ragged skirts.
+// A fir of stacked cones with ragged edges.
 TriangleMesh make_conifer() {
     TriangleMesh tree;
     constexpr int kSkirts = 7;
@@ -71,8 +71,8 @@ TriangleMesh make_conifer() {
     return tree;
 }
 
-// An upright sheet of vapour across the valley. It faces us straight, so that the sun shines on its
-// front everywhere; its normals lean up and sunwards, as a volume would catch the light.
+// A vertical sheet of mist across the valley. It faces the camera, so that the sun lights its front
+// everywhere; its normals are tilted up and towards the sun to look like a lit volume.
 TriangleMesh make_mist(float distance, float low, float high) {
     const float half_width = 0.8f * distance;
     TriangleMesh mesh = make_surface(1, 1, [=](float s, float t) {
@@ -131,7 +131,7 @@ void HeroBuilder::add_parapet() {
             const float x = -kHalfLength + kLength * (float(i) + (row % 2 ? 0.5f : 0.0f));
             const glm::vec3 at(x + 0.01f * random(0), kCourse * (float(row) + 0.5f),
                                kWallZ + 0.045f * (random(1) - 0.5f));
-            // Turned about by half, so that neighbours show different sides of the one brick.
+            // Every other brick is rotated by half a turn, so that neighbours look different.
             const float yaw = (random(2) < 0.5f ? 0 : 3.1415927f) + 0.06f * (random(3) - 0.5f);
             place("brick", bricks[random(4) < 0.45f], at, yaw, {1, 0.98f + 0.03f * random(5), 1});
         }

@@ -9,20 +9,20 @@
 namespace hm {
 namespace {
 
-constexpr float kHalfAngle = 0.64f;  // radians either side of -z: wider than the picture
+constexpr float kHalfAngle = 0.64f;  // radians to either side of -z: more than the picture shows
 constexpr float kNear = 45;          // metres from the terrace
 constexpr float kPeaksFrom = 1000;
 constexpr float kFar = 2400;
-constexpr float kNearShare = 0.25f;  // of the rows, spaced by ratio up to kPeaksFrom; then evenly
+constexpr float kNearShare = 0.25f;  // of the rows: geometric spacing up to kPeaksFrom, then even
 
 struct Peak {
     glm::vec2 xz;
     float height;
     float radius;
-    float ridges;  // phase of its aretes, radians
+    float ridges;  // phase of its ridges, radians
 };
 
-// One dominant pyramid left of the middle, its shoulder, and a lower range on either side.
+// One dominant pyramid left of the centre, its shoulder, and a lower range on either side.
 constexpr std::array kPeaks = {
     Peak{{-370, -1960}, 735, 1250, 0.4f}, Peak{{40, -2150}, 520, 820, 1.7f},
     Peak{{-1050, -1850}, 500, 800, 2.6f}, Peak{{430, -2050}, 560, 800, 0.9f},
@@ -36,7 +36,7 @@ float range_height(glm::vec2 xz) {
     for (const Peak& peak : kPeaks) {
         const glm::vec2 d = p - peak.xz;
         const float angle = std::atan2(d.y, d.x), distance = glm::length(d) / peak.radius;
-        // Aretes: the outline of a contour is a star, rounder towards the foot.
+        // Ridges: contour lines are star-shaped, and rounder towards the foot.
         const float star = 1 + (0.16f * std::sin(3 * angle + peak.ridges) +
                                 0.07f * std::sin(7 * angle + 2 * peak.ridges)) *
                                    std::exp(-2 * distance);
@@ -49,7 +49,7 @@ float range_height(glm::vec2 xz) {
            0.035f * envelope * (flutes - 0.4f);
 }
 
-// Forested spurs that frame the valley.
+// Forested spurs on both sides of the valley.
 float spur_height(float azimuth, float distance, glm::vec2 xz) {
     const auto spur = [&](float at_azimuth, float width, float at_distance, float depth,
                           float top) {
@@ -77,7 +77,7 @@ glm::vec3 normal_at(glm::vec2 xz, float step) {
     return glm::normalize(glm::vec3(-dx, 2 * step, -dz));
 }
 
-// Snow lies where it is high enough and not too steep; below are scree, forest and meadow.
+// Snow where the ground is high and not too steep; scree, forest and meadow below.
 glm::vec3 ground_color(glm::vec2 xz) {
     const float distance = glm::length(xz), h = terrain_height(xz);
     const glm::vec3 n = normal_at(xz, distance < kPeaksFrom ? 3.0f : 4.0f);
@@ -94,7 +94,7 @@ glm::vec3 ground_color(glm::vec2 xz) {
     const float cover = smooth_step(30, 150, h + 70 * mottle);
     const float holds = smooth_step(0.30f, 0.50f, n.y + 0.16f * fbm(xz / 25.0f, 5, 0, 290));
     color = glm::mix(color, glm::vec3(0.87f, 0.88f, 0.91f), cover * holds);
-    // The air between: far ground is paler and bluer.
+    // Aerial perspective: distant ground is paler and bluer.
     const float air = 1 - std::exp(-distance / 9000);
     return glm::mix(color, glm::vec3(0.55f, 0.60f, 0.70f), air);
 }

@@ -11,12 +11,12 @@ namespace hm {
 // Height of the ground at (x, z). The terrace lies at height 0 and looks along -z.
 float terrain_height(glm::vec2 xz);
 
-// A fan of ground in front of the terrace, fine where peaks stand, and its baked colours (linear
-// sampling, u along the azimuth, v along the distance).
+// A fan-shaped height field in front of the terrace, finer around the peaks, and its baked colours
+// (linear sampling, u along the azimuth, v along the distance).
 TriangleMesh make_terrain();
 Picture paint_terrain();
 
-// Where trees stand, with a scale in w.
+// Positions of trees, with a scale in w.
 std::vector<glm::vec4> place_trees(int count);
 
 }  // namespace hm

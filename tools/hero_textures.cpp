@@ -18,7 +18,7 @@ float srgb_of(float linear) {
     return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
 }
 
-// A picture of color(u, v), linear, stored as sRGB; its alpha is kept only with four channels.
+// Samples the linear color(u, v) and encodes it as sRGB. Alpha is kept if there are 4 channels.
 Picture paint(std::uint32_t width, std::uint32_t height, std::uint32_t channels,
               const std::function<glm::vec4(float u, float v)>& color) {
     Picture picture{width, height, channels, {}};
@@ -33,7 +33,7 @@ Picture paint(std::uint32_t width, std::uint32_t height, std::uint32_t channels,
     return picture;
 }
 
-// The tangent-space normals of height(u, v), which is in units of the texture's side.
+// Tangent-space normals of height(u, v), in units of the texture's width.
 Picture paint_normals(std::uint32_t side, const std::function<float(float u, float v)>& height) {
     Picture picture{side, side, 3, {}};
     const float step = 1 / float(side);
@@ -115,7 +115,7 @@ glm::vec4 slab_color(float u, float v) {
     return glm::vec4(glm::mix(color, filling, joint), 1);
 }
 
-// Damp where rain gathers: glTF wants roughness in green and metalness in blue, not sRGB.
+// Damp where rain collects. glTF: roughness in green, metalness in blue, linear.
 Picture paint_slab_roughness(std::uint32_t side) {
     Picture picture{side, side, 3, {}};
     for (std::uint32_t y = 0; y < side; ++y)
@@ -162,7 +162,7 @@ glm::vec4 plaster_color(float u, float v) {
         glm::mix(glm::vec3(0.82f, 0.79f, 0.73f), glm::vec3(0.52f, 0.44f, 0.34f), 0.75f * dirt), 1);
 }
 
-// Shallow, overlapping blows of a round hammer.
+// Shallow, overlapping dents of a round hammer.
 float hammered_height(float u, float v) {
     const glm::vec2 p = glm::vec2(u, v) * 18.0f;
     const float d = cellular(p, 18, 150).nearest;
@@ -184,7 +184,7 @@ glm::vec4 flag_color(float u, float v) {
     bool ink = std::abs(r - 0.17f) < 0.012f || std::abs(r - 0.13f) < 0.006f || r < 0.035f;
     ink = ink || (r < 0.13f && std::abs(std::sin(4 * angle)) * r < 0.012f);
     ink = ink || std::abs(border - 0.09f) < 0.006f;
-    // Script: strokes hung from a line, as Tibetan's head marks are.
+    // Script: strokes below a line, as in Tibetan.
     if (v > 0.6f && v < 0.88f && u > 0.14f && u < 0.86f) {
         const float line = std::fmod((v - 0.6f) * 14.0f, 1.0f);
         const auto column = std::uint32_t(u * 34), row = std::uint32_t((v - 0.6f) * 14);

@@ -1,4 +1,4 @@
-// Procedural textures of the hero scene. Square ones tile.
+// Procedural textures of the hero scene. Square textures tile.
 #pragma once
 
 #include "base/result.h"
@@ -15,7 +15,7 @@ struct HeroTextures {
     int flag_color;                               // a printed, frayed prayer flag: alpha mask
     int leaf_color;                               // one leaf: alpha mask
     int scarf_color;                              // woven silk with fringes: alpha blend
-    int mist_color;  // horizontal wisps that thin out upwards: alpha blend
+    int mist_color;                               // horizontal wisps that fade upwards: alpha blend
 };
 
 Result<HeroTextures> add_hero_textures(GltfWriter& writer);

@@ -1,7 +1,7 @@
 // Writes src/shading/tables/albedo.inl: the directional albedo of GGX reflection, split by
 // Schlick's Fresnel into f0 * x + f90 * y, for 32 roughnesses (rows, even in [0, 1]) times 32
 // cosines (columns, even in sqrt(cos)). Integrated in double over visible normals (Dupuy and
-// Benyoub 2023), midpoints.
+// Benyoub 2023) by the midpoint rule.
 //
 //     make_albedo_table > src/shading/tables/albedo.inl
 #include <fmt/format.h>

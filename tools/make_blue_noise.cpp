@@ -1,7 +1,7 @@
 // Writes src/shading/tables/blue_noise_128.inl: a 128 x 128 toroidal blue-noise dither array, the
 // ranks 0..16383 row by row. R. Ulichney, "The void-and-cluster method for dither array
-// generation", SPIE 1913 (1993). Always the same array: the starting pattern is seeded with a
-// constant.
+// generation", SPIE 1913 (1993). Deterministic: the initial pattern has a constant
+// seed.
 //
 // Usage: make_blue_noise FILE
 #include <fmt/format.h>
@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t kSide = 128;
 constexpr std::size_t kPixels = kSide * kSide;
 constexpr std::size_t kInitialOnes = kPixels / 10;
-// Ulichney's, in pixels. Measured against 1.9 and 2.1: the spectrum stays below a tenth of white
-// noise's up to frequency 34 of 64 (30 and 28), and its lowest frequencies are as good as empty.
+// Standard deviation of Ulichney's Gaussian, pixels. The spectrum stays below a tenth of white
+// noise's up to frequency 34 of 64 (with 1.9: 30, with 2.1: 28) and is almost zero at the lowest.
 constexpr double kSigma = 1.5;
 
-// A binary pattern and, at each pixel, the sum of toroidal Gaussians around all ones; updated with
-// every pixel that changes, so a step costs one pass over the array.
+// A binary pattern and, for each pixel, the sum of toroidal Gaussians around all ones. Changing a
+// pixel updates the sums in one pass over the array.
 class Pattern {
   public:
     Pattern() : ones_(kPixels, 0), energy_(kPixels, 0), kernel_(kPixels) {
@@ -58,8 +58,8 @@ class Pattern {
         return best;
     }
 
-    // Where the ones' energy is least. On a torus that is also the tightest cluster of zeros, since
-    // both energies add to a constant; so Ulichney's phases 2 and 3 are one.
+    // The pixel with the least energy of ones. On a torus this is also the tightest cluster of
+    // zeros, since both energies add up to a constant; so Ulichney's phases 2 and 3 are the same.
     std::size_t largest_void() const {
         std::size_t best = kPixels;
         for (std::size_t i = 0; i < kPixels; ++i)
@@ -73,7 +73,7 @@ class Pattern {
     std::vector<double> kernel_;
 };
 
-// Random ones, then moved from the tightest cluster to the largest void until that is no change.
+// Random ones, moved from the tightest cluster to the largest void until nothing changes.
 Pattern make_prototype() {
     Pattern pattern;
     std::mt19937 random(1993);

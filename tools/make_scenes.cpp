@@ -1,4 +1,4 @@
-// Writes the product's own scenes into a folder, the same bytes every time.
+// Writes the demo scenes into a folder. The output is deterministic.
 //
 // Usage: make_scenes FOLDER
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // Writes src/shading/tables/sobol_directions.inl: Sobol direction numbers of 128 dimensions x 32
 // bits, most significant bit first (sample = XOR of v[dim][i] over the set bits i of the index, /
 // 2^32). Primitive polynomials and initial values: S. Joe and F. Y. Kuo, "Constructing Sobol
-// sequences with better two-dimensional projections", SIAM J. Sci. Comput. 30 (2008), as Boost
-// carries them. The recurrence is Bratley and Fox, Algorithm 659 (1988); the result is compared
-// with Boost's engine.
+// sequences with better two-dimensional projections", SIAM J. Sci. Comput. 30 (2008), taken
+// from Boost. The recurrence is Bratley and Fox, Algorithm 659 (1988); the result is verified
+// against Boost's engine.
 //
 // Usage: make_sobol_table FILE
 #include <fmt/format.h>
@@ -25,7 +25,8 @@ constexpr std::uint32_t kPointsCompared = 1u << 14;
 using JoeKuo = boost::random::default_sobol_table;
 using Directions = std::array<std::array<std::uint32_t, kBits>, kDimensions>;
 
-// m_i of one dimension, odd integers below 2^(i+1); dimension 0 is van der Corput's: all ones.
+// m_i of one dimension, odd integers below 2^(i+1); dimension 0 is the van der Corput sequence, all
+// ones.
 std::array<std::uint32_t, kBits> odd_integers(std::size_t dimension) {
     std::array<std::uint32_t, kBits> m;
     m.fill(1);
@@ -54,8 +55,8 @@ Directions make_directions() {
     return v;
 }
 
-// Boost leaves out the point of index 0 and walks the others in Gray-code order: its n-th point
-// (from 1) is the point of index n ^ (n >> 1). Its 64-bit engine has ours as the upper half.
+// Boost omits the point of index 0 and generates the others in Gray-code order: its n-th point
+// (from 1) is the point of index n ^ (n >> 1). The upper half of its 64-bit numbers is ours.
 std::optional<std::string> difference_from_boost(const Directions& v) {
     boost::random::sobol engine(kDimensions);
     for (std::uint32_t n = 1; n <= kPointsCompared; ++n) {

@@ -65,7 +65,7 @@ float ridged(glm::vec2 p, int octaves, std::uint32_t seed) {
         weight = std::clamp(1.8f * crest, 0.0f, 1.0f);
         sum += amplitude * crest;
         amplitude *= 0.5f;
-        // Turned by an angle of (4, 3, 5)'s triangle, so that octaves share no axis.
+        // Rotated by the angle of the 3-4-5 triangle, so that octaves share no axis.
         p = 2.03f * glm::vec2(0.8f * p.x - 0.6f * p.y, 0.6f * p.x + 0.8f * p.y);
     }
     return sum;

@@ -1,5 +1,5 @@
-// Procedural noise for textures and terrain; the same numbers everywhere, from integer hashes.
-// `period` is in lattice cells: the noise repeats after as many (0: never).
+// Procedural noise for textures and terrain, from integer hashes and so the same on every machine.
+// `period` is in lattice cells (0: the noise does not repeat).
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ float hash_unit(std::uint32_t x, std::uint32_t y, std::uint32_t seed);
 // Perlin's gradient noise, about -1..1, mean 0.
 float gradient_noise(glm::vec2 p, int period, std::uint32_t seed);
 
-// Octaves of gradient noise, each of twice the frequency and half the height; about -1..1.
+// Fractal sum of gradient noise: octaves of twice the frequency, half the amplitude; about -1..1.
 float fbm(glm::vec2 p, int octaves, int period, std::uint32_t seed);
 
-// Musgrave's ridged multifractal: sharp crests that carry the detail, 0..1.
+// Musgrave's ridged multifractal: sharp crests with fine detail, 0..1.
 float ridged(glm::vec2 p, int octaves, std::uint32_t seed);
 
 // Worley's cellular noise: distances to the nearest and second nearest feature point.

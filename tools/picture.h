@@ -1,4 +1,4 @@
-// Pictures that become textures.
+// Pictures for textures, and their PNG files.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct Picture {
     std::vector<std::uint8_t> pixels;
 };
 
-// `name` is for errors.
+// `name` is for error messages.
 Result<std::vector<std::byte>> encode_png(const std::string& name, const Picture& picture);
 
 }  // namespace hm

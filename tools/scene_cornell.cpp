@@ -11,7 +11,7 @@ namespace {
 
 using Corners = std::array<glm::vec3, 4>;
 
-// A flat quad of four measured corners, counter-clockwise seen from its front; millimetres in.
+// A flat quad of four measured corners, counter-clockwise seen from its front, in millimetres.
 TriangleMesh make_measured_quad(const Corners& corners_mm) {
     TriangleMesh mesh;
     const glm::vec3 normal =

@@ -1,5 +1,5 @@
-// The scene the product shows itself with: a shrine on a stone terrace above a valley of mist, with
-// snow peaks in the evening sun, and a table of things whose surfaces differ.
+// The main demo scene: a shrine on a stone terrace above a misty valley, with snow peaks in the
+// evening sun, and a table with objects of various materials.
 #include "hero_materials.h"
 #include "hero_objects.h"
 #include "hero_sky.h"

@@ -1,6 +1,5 @@
-// A board of spheres: roughness grows to the right, metalness downwards. The base colour is the
-// gold of a metal in every row, so a row shows the same pigment as plastic, in between and as
-// metal. Two soft lamps show the highlights' shapes.
+// A grid of spheres: roughness increases to the right, metalness downwards. All have the base
+// colour of gold, from plastic to metal. Area lamps show the shapes of highlights.
 #include <fmt/format.h>
 
 #include <array>
@@ -40,7 +39,7 @@ void add_spheres(GltfWriter& writer) {
         }
 }
 
-// A floor that bends up into a back wall, as in a photographer's studio.
+// A floor that curves up into a back wall, as in a photo studio.
 TriangleMesh make_backdrop() {
     const float radius = 2.5f, depth = 2.5f, front = 9, half_width = 16, height = 12;
     const float arc = radius * 1.5707963f, length = front + depth + arc + height;
@@ -56,7 +55,7 @@ TriangleMesh make_backdrop() {
     });
 }
 
-// A lamp that shines from its front towards `target`.
+// A rectangular lamp that faces `target`.
 void add_lamp(GltfWriter& writer, const char* name, glm::vec3 center, glm::vec3 target,
               glm::vec2 size, glm::vec3 color, float strength) {
     TriangleMesh quad = make_quad({-size.x / 2, -size.y / 2, 0}, {size.x, 0, 0}, {0, size.y, 0});
@@ -64,7 +63,7 @@ void add_lamp(GltfWriter& writer, const char* name, glm::vec3 center, glm::vec3 
         name,
         {.color = {0, 0, 0, 1}, .metallic = 0, .emissive = color, .emissive_strength = strength});
     const GltfPrimitive primitive = writer.add_primitive(quad, material);
-    // The quad faces +z; look_rotation turns -z towards what it looks at.
+    // The quad faces +z; look_rotation turns -z towards its second argument.
     writer.add_node({.name = name,
                      .translation = center,
                      .rotation = look_rotation(target, center),

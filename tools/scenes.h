@@ -1,4 +1,4 @@
-// The product's own scenes, each written as NAME.glb with its default flags in NAME.json.
+// The demo scenes, each written as NAME.glb with its default flags in NAME.json.
 #pragma once
 
 #include <filesystem>

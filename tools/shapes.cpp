@@ -19,7 +19,7 @@ void add_vertex(TriangleMesh& mesh, glm::vec3 position, glm::vec3 normal, glm::v
 }
 
 // Two triangles for each cell of a (columns + 1) wide grid of vertices that starts at `first`.
-// Those that a pole has collapsed are left out.
+// Triangles that degenerate at a pole are omitted.
 void add_grid_triangles(TriangleMesh& mesh, std::uint32_t first, int columns, int rows) {
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         const glm::vec3 p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c];
@@ -35,7 +35,7 @@ void add_grid_triangles(TriangleMesh& mesh, std::uint32_t first, int columns, in
         }
 }
 
-// A unit tangent orthogonal to the normal, with the sign of the bitangent that `up` asks for.
+// A unit tangent orthogonal to the normal; its sign makes the bitangent point towards `up`.
 glm::vec4 frame_tangent(glm::vec3 normal, glm::vec3 along_u, glm::vec3 up) {
     const glm::vec3 t = glm::normalize(along_u - normal * glm::dot(normal, along_u));
     return glm::vec4(t, glm::dot(glm::cross(normal, t), up) < 0 ? -1.0f : 1.0f);
@@ -94,7 +94,7 @@ TriangleMesh make_rounded_box(glm::vec3 half_extents, float radius, float uv_per
         const float h = half_extents[axis], c = core[axis];
         return std::array<float, 6>{-h, -c - 0.45f * radius, -c, c, c + 0.45f * radius, h};
     };
-    // Each face is a grid on the cube, pulled onto the sphere of `radius` around the core.
+    // Each face is a grid on the cube, projected onto the sphere of `radius` around the core.
     for (int face = 0; face < 6; ++face) {
         const int axis = face / 2, u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
         const float side = face % 2 == 0 ? 1.0f : -1.0f;
@@ -104,7 +104,7 @@ TriangleMesh make_rounded_box(glm::vec3 half_extents, float radius, float uv_per
             for (const float u : us) {
                 glm::vec3 on_cube(0);
                 on_cube[axis] = side * half_extents[axis];
-                on_cube[u_axis] = side * u;  // mirrored with the side, so the winding stays outward
+                on_cube[u_axis] = side * u;  // mirrored with the side, to keep the winding outward
                 on_cube[v_axis] = v;
                 const glm::vec3 in_core = glm::clamp(on_cube, -core, core);
                 const glm::vec3 normal = glm::normalize(on_cube - in_core);
@@ -161,7 +161,7 @@ std::vector<glm::vec2> smooth_profile(std::span<const glm::vec2> knots, int per_
         const glm::vec2 p1 = knots[i], p2 = knots[i + 1];
         points.push_back(p1);
         if (p1 == p2) continue;
-        // Beyond an end or a crease the curve goes on straight.
+        // Beyond an end or a crease the curve is extended linearly.
         const glm::vec2 p0 = i > 0 && knots[i - 1] != p1 ? knots[i - 1] : p1 + (p1 - p2);
         const glm::vec2 p3 = i + 2 < n && knots[i + 2] != p2 ? knots[i + 2] : p2 + (p2 - p1);
         for (int k = 1; k < per_span; ++k) {
@@ -184,7 +184,7 @@ TriangleMesh make_sphere(int segments, int rings) {
         profile.push_back({pole ? 0.0f : std::cos(angle), std::sin(angle)});
     }
     TriangleMesh mesh = make_revolved(profile, segments, 1, kPi);
-    mesh.normals = mesh.positions;  // exact, where the polyline's are averages
+    mesh.normals = mesh.positions;  // exact; those of the polyline are averages
     return mesh;
 }
 

@@ -1,4 +1,4 @@
-// Triangle meshes for the product's own scenes: boxes, surfaces of revolution, tubes, grids.
+// Triangle meshes for the demo scenes: boxes, surfaces of revolution, tubes, grids.
 // Tangents follow glTF: along growing u, with the bitangent cross(normal, tangent) * w pointing
 // towards the picture's top (falling v).
 #pragma once
@@ -24,15 +24,15 @@ struct TriangleMesh {
 // `mesh` is empty.
 void append(TriangleMesh& mesh, const TriangleMesh& part, const glm::mat4& transform);
 
-// A vertex of a parametric surface before its frame is known.
+// A vertex of a parametric surface, without normal and tangent.
 struct SurfacePoint {
     glm::vec3 position;
     glm::vec2 uv;
 };
 
 // (columns + 1) x (rows + 1) vertices of surface(s, t), s and t from 0 to 1. Normals and tangents
-// are finite differences of the surface: the normal is along cross(d/ds, d/dt), so s to the right
-// and t upwards faces the viewer.
+// are finite differences of the surface: the normal is along cross(d/ds, d/dt), so with s to the
+// right and t upwards the surface faces the viewer.
 TriangleMesh make_surface(int columns, int rows,
                           const std::function<SurfacePoint(float s, float t)>& surface);
 
@@ -43,16 +43,17 @@ TriangleMesh make_quad(glm::vec3 corner, glm::vec3 u, glm::vec3 v, glm::vec2 rep
 // A box around the origin with edges rounded by `radius`, textured by its faces at `uv_per_metre`.
 TriangleMesh make_rounded_box(glm::vec3 half_extents, float radius, float uv_per_metre);
 
-// Turns (radius, height) points around the y axis. Points run so that the outside is on their right
-// seen with y up and the radius to the right (upwards, for an outer wall). A point given twice is a
-// crease. u runs `u_repeats` times around, v falls along the profile by arc length / `v_length`.
+// Revolves a profile of (radius, height) points around the y axis. With y up and the radius to the
+// right, the outside is on the right of the profile's direction (upwards, for an outer wall). A
+// repeated point is a crease. u runs `u_repeats` times around, v falls along the profile by arc
+// length / `v_length`.
 TriangleMesh make_revolved(std::span<const glm::vec2> profile, int segments, float u_repeats,
                            float v_length);
 
-// Catmull-Rom points through `knots`, `per_span` to each span; a knot given twice stays a crease.
+// Catmull-Rom points through `knots`, `per_span` to each span; a repeated knot is a crease.
 std::vector<glm::vec2> smooth_profile(std::span<const glm::vec2> knots, int per_span);
 
-// A unit sphere with its poles on y; u repeats once around.
+// A unit sphere with its poles on y; u covers 0 to 1 once around.
 TriangleMesh make_sphere(int segments, int rings);
 
 // A round tube along a polyline.

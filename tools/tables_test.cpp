@@ -1,5 +1,5 @@
-// What the generated tables promise: blue noise is a permutation without low frequencies; the Sobol
-// directions are Joe and Kuo's, each dimension is stratified and the first two form a
+// Properties of the generated tables: the blue noise is a permutation without low frequencies; the
+// Sobol directions are Joe and Kuo's, each dimension is stratified and the first two form a
 // (0,2)-sequence.
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST(BlueNoise, RanksArePermutation) {
     }
 }
 
-// The generator was measured at 3e-4 for the worst single frequency; a shuffled array has 1.
+// Measured: at most 3e-4 at any single frequency; a shuffled array has 1.
 TEST(BlueNoise, LowFrequenciesAreEmpty) {
     for (int ky = 0; ky < 8; ++ky)
         for (int kx = -7; kx < 8; ++kx) {
@@ -65,8 +65,8 @@ TEST(BlueNoise, LowFrequenciesAreEmpty) {
         }
 }
 
-// The same at every threshold that a one-bit use sees: ones must be evenly spread, so no two of the
-// first 256 ranks (mean distance about 8 pixels) may be neighbours.
+// Thresholded arrays must be evenly distributed too: no two of the first 256 ranks (mean distance
+// about 8 pixels) are neighbours.
 TEST(BlueNoise, FirstRanksKeepApart) {
     std::vector<std::array<int, 2>> points;
     for (std::size_t i = 0; i < kPixels; ++i)
@@ -83,7 +83,7 @@ TEST(BlueNoise, FirstRanksKeepApart) {
         }
 }
 
-// Rows of the published table new-joe-kuo-6, run through the recurrence of Joe and Kuo (2008), (3).
+// Rows of the published table new-joe-kuo-6, expanded by the recurrence of Joe and Kuo (2008), (3).
 TEST(Sobol, FirstDimensionsAreJoeAndKuos) {
     struct Row {
         std::uint32_t degree, a;

@@ -14,7 +14,7 @@ Expected invalid_planes(const Object& view) {
     return warned(view.pointer(""), "invalid znear or zfar", kUnread);
 }
 
-// Planes clip nothing here.
+// The renderer does not clip at these planes.
 void add_plane_rules(Object& view) {
     for (const char* value : {"0", "-1"}) {
         const char* slug = *value == '0' ? "zero" : "negative";
