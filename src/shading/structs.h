@@ -165,6 +165,10 @@ HM_CONST uint kStrategyMis = 0u;
 HM_CONST uint kStrategyLight = 1u;
 HM_CONST uint kStrategyBsdf = 2u;
 
+// The albedo table: rows over roughness, columns over the square root of the cosine.
+HM_CONST uint kAlbedoRows = 48u;
+HM_CONST uint kAlbedoColumns = 32u;
+
 HM_CONST uint kDiffuseLambert = 0u;
 HM_CONST uint kDiffuseBurley = 1u;
 

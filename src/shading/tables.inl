@@ -44,8 +44,8 @@ HM_SCENE_TABLE(9, AliasEntry, environment_alias)
 HM_CONSTANT_TABLE(10, uint, sobol_directions, 128 * 32)
 HM_CONSTANT_TABLE(11, uvec4, sobol_nibbles, 8 * 16)
 HM_CONSTANT_TABLE(12, uint, blue_noise, 128 * 128)
-HM_CONSTANT_TABLE(13, vec2, albedo_table, 32 * 32)
-HM_CONSTANT_TABLE(14, vec2, albedo_average, 32)
+HM_CONSTANT_TABLE(13, vec2, albedo_table, kAlbedoRows * kAlbedoColumns)
+HM_CONSTANT_TABLE(14, vec2, albedo_average, kAlbedoRows)
 
 HM_PICTURE_TABLE(15, float, filter_table, 257)
 

@@ -1,5 +1,6 @@
 #include "shading/tables/tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -39,15 +40,15 @@ void fill_sobol_nibbles(ShadingTables& t) {
 // (linear in sqrt(mu)), so that compensation normalises by what lookups return.
 void fill_albedo_average(ShadingTables& t) {
     constexpr int kSteps = 4096;
-    for (std::size_t row = 0; row < 32; ++row) {
+    for (std::size_t row = 0; row < kAlbedoRows; ++row) {
         double x = 0, y = 0;
         for (int i = 0; i < kSteps; ++i) {
             double mu = (i + 0.5) / kSteps;
-            double column = std::sqrt(mu) * 31.0;
-            std::size_t c = std::size_t(column) > 30 ? 30 : std::size_t(column);
+            double column = std::sqrt(mu) * double(kAlbedoColumns - 1);
+            std::size_t c = std::min(std::size_t(column), std::size_t(kAlbedoColumns) - 2);
             double f = column - double(c);
-            vec2 low = t.albedo_table[row * 32 + c];
-            vec2 high = t.albedo_table[row * 32 + c + 1];
+            vec2 low = t.albedo_table[row * kAlbedoColumns + c];
+            vec2 high = t.albedo_table[row * kAlbedoColumns + c + 1];
             x += 2 * mu * (double(low.x) * (1 - f) + double(high.x) * f) / kSteps;
             y += 2 * mu * (double(low.y) * (1 - f) + double(high.y) * f) / kSteps;
         }
@@ -58,7 +59,7 @@ void fill_albedo_average(ShadingTables& t) {
 ShadingTables make_tables() {
     ShadingTables t{};
     static_assert(std::size(kSobolDirections) == 128 * 32 && std::size(kBlueNoise) == 128 * 128 &&
-                  std::size(kAlbedo) == 2 * 32 * 32);
+                  std::size(kAlbedo) == 2 * kAlbedoRows * kAlbedoColumns);
     for (std::size_t i = 0; i < t.sobol_directions.size(); ++i)
         t.sobol_directions[i] = kSobolDirections[i];
     for (std::size_t i = 0; i < t.blue_noise.size(); ++i)

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "shading/lang.h"
+#include "shading/structs.h"
 
 namespace hm {
 
