@@ -230,21 +230,6 @@ TEST(Doctor, SaysThatABuildLeavesVulkanOut) {
     EXPECT_TRUE(says(warnings_of(m), "HIMALAYA_VULKAN=ON"));
 }
 
-TEST(Doctor, RayQueriesAreATierThatNothingNeeds) {
-    rhi::Offer offer;
-    VulkanDevice device;
-    for (const bool has : {false, true}) {
-        if (has) offer.extensions.insert("VK_KHR_ray_query");
-        device.capabilities = rhi::judge(offer);
-        const auto tiers = tiers_of(device);
-        const auto tier = std::find_if(tiers.begin(), tiers.end(), [](const FeatureTier& t) {
-            return says(t.feature, "rays from any shader");
-        });
-        ASSERT_NE(tier, tiers.end());
-        EXPECT_EQ(tier->missing.empty(), has);
-    }
-}
-
 TEST(Doctor, FeaturesComeOncePerPurposeWithAllThatIsMissing) {
     const auto tiers = tiers_of(make_device("llvmpipe", true, true));
     ASSERT_EQ(tiers.size(), 2u);
