@@ -5,6 +5,7 @@
 
 #include "scene/emitters.h"
 #include "scene/flatten_parts.h"
+#include "scene/light_surfaces.h"
 
 namespace hm {
 
@@ -25,6 +26,7 @@ FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice ch
     flatten_instances(scene, world, flat, diagnostics);
     warn_of_lost_directions(scene, world, diagnostics);
     if (choice.punctual) flatten_lights(scene, world, flat);
+    find_light_surfaces(flat);
     if (choice.emitters) add_emitters(flat);
     if (flat.environment.intensity > 0) {
         // Flux through the scene's bounding disk, seen from every direction.

@@ -41,6 +41,16 @@ HM_FN float hit_error(vec3 coordinates, float extent, vec3 n) {
     return kCoordinateError * dot(abs(n), coordinates) + kExtentError * extent;
 }
 
+// How far from its end a shadow ray, of this length and direction, may meet a surface at its end:
+// the error of hits and that of the vertices relative to the ray's origin, along the ray. Rays that
+// graze the surface, or whose end lies on several surfaces (n zero), get that of a cosine of 1/64.
+HM_CONST float kLengthError = 16.0f * kRoundoff;
+HM_CONST float kLeastEndCosine = 1.0f / 64.0f;
+
+HM_FN float ray_end_error(float surface_error, vec3 n, vec3 direction, float distance) {
+    return (surface_error + kLengthError * distance) / max(abs(dot(n, direction)), kLeastEndCosine);
+}
+
 // The mirror direction of wo about the bent normal rises at least this far over the surface (sine).
 HM_CONST float kMirrorClearance = 1e-3f;
 

@@ -113,6 +113,10 @@ struct LightData {
     float spot_scale;
     float spot_offset;
     uint kind;  // kLight*
+    // Of the surface that a point or spot light lies on (scene/light_surfaces.h). The normal is
+    // zero if there are several surfaces.
+    vec3 surface_normal;
+    float surface_error;  // hit_error; 0: on no surface
 };
 
 // Walker's alias method over integers: slot = mul_high(random, n); the slot itself is taken if
@@ -224,7 +228,7 @@ static_assert(sizeof(MaterialData) == 80 && offsetof(MaterialData, specular_weig
 static_assert(sizeof(TextureUse) == 44 && offsetof(TextureUse, uv_row_u) == 20);
 static_assert(sizeof(Vertex) == 48 && sizeof(VertexExtra) == 24);
 static_assert(sizeof(GeometryData) == 16 && sizeof(InstanceData) == 112);
-static_assert(sizeof(LightData) == 52 && sizeof(AliasEntry) == 16);
+static_assert(sizeof(LightData) == 68 && sizeof(AliasEntry) == 16);
 static_assert(sizeof(EmitterTriangle) == 52 && sizeof(CameraData) == 68);
 static_assert(sizeof(AovParams) == 80);
 }  // namespace hm

@@ -61,6 +61,8 @@ HM_FN void run_light(uint index, HM_INOUT(CaseResult) result) {
     light.spot_scale = case_between(index, 32u, 1.0f, 10.0f);
     light.spot_offset = case_between(index, 33u, -0.5f, 0.5f);
     light.kind = case_bits(index, 34u) % 3u;
+    light.surface_normal = case_direction(index, 36u);
+    light.surface_error = (index & 8u) != 0u ? 0.01f : 0.0f;
     PunctualSample light_sample;
     sample_punctual(light, case_direction(index, 35u), light_sample);
     result.values[12] = light_sample.wi.x;

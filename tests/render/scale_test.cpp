@@ -136,35 +136,88 @@ TEST(Scale, AThinGapIsDark) {
             }
 }
 
-// A point light a thousandth of the room's size below a ceiling lights the floor; one as far above
-// it does not shine through. A lamp that lies on the ceiling, to rounding, is not tested: its
-// shadow ray ends at the lamp itself, and the ceiling may be hit before.
+// A room's ceiling with a lamp `below` it, in units of the floor's size.
+struct LampAtCeiling {
+    Floor floor, ceiling;
+    Light lamp;
+    vec3 at;
+
+    LampAtCeiling(const Floor& f, float below, std::uint32_t kind) : floor(f), ceiling(f) {
+        ceiling.center = floor.center + floor.normal() * (0.5f * floor.size);
+        lamp.kind = kind;
+        lamp.intensity = floor.size * floor.size;
+        lamp.inner_cone = lamp.outer_cone = 1.5f;
+        at = vec3(glm::dvec3(ceiling.center) +
+                  glm::dvec3(floor.x() * 0.137f - vec3(0, 0, 0.219f) - floor.normal() * below) *
+                      double(floor.size));
+    }
+
+    // With the ceiling or without it.
+    test::Picture render(const CameraData& camera, bool closed) const {
+        SceneBuilder b;
+        floor.add(b);
+        if (closed) ceiling.add(b);
+        // Shines along -z: a spot points to the floor.
+        const vec3 z = floor.normal(), x(0, 0, -1);
+        b.light(lamp, glm::mat4(vec4(x, 0), vec4(cross(z, x), 0), vec4(z, 0), vec4(at, 1)));
+        return Studio(b.scene).render(camera, {.width = 16, .height = 16, .samples = 1});
+    }
+};
+
+// Lamps below and exactly in the plane of a ceiling light the floor as if it were not there; a
+// thousandth of the size above it they do not shine through. 5000 sizes from the origin that is two
+// units in the last place, which a lamp in the plane may be off by as well: three times that.
 TEST(Scale, ALampNearTheCeilingLightsItsSide) {
     for_all_floors([](const Floor& floor) {
         if (floor.how == How::scaled) return;  // as instanced
-        for (const float below : {1e-3f, -1e-3f}) {
-            SceneBuilder b;
-            floor.add(b);
-            Floor ceiling = floor;
-            ceiling.center = floor.center + floor.normal() * (0.5f * floor.size);
-            ceiling.add(b);
-            Light lamp;
-            lamp.kind = kLightPoint;
-            lamp.intensity = floor.size * floor.size;
-            const vec3 at = ceiling.center +
-                            (floor.x() * 0.137f - vec3(0, 0, 0.219f)) * floor.size -
-                            floor.normal() * (below * floor.size);
-            b.light(lamp, glm::translate(glm::mat4(1), at));
-            Studio studio(b.scene);
-            CameraData camera = floor.camera();
-            camera.origin = floor.center + (camera.origin - floor.center) * 0.3f;
-            const test::Picture picture =
-                studio.render(camera, {.width = 16, .height = 16, .samples = 1});
-            std::size_t dark = 0;
-            for (const vec3& p : picture.pixels)
-                dark += p.x == 0 ? 1 : 0;
-            EXPECT_EQ(dark, below < 0 ? picture.pixels.size() : 0)
-                << describe(floor) << ", " << below;
+        CameraData camera = floor.camera();
+        camera.origin = floor.center + (camera.origin - floor.center) * 0.3f;
+        for (const std::uint32_t kind : {kLightPoint, kLightSpot}) {
+            const test::Picture open = LampAtCeiling(floor, 0, kind).render(camera, false);
+            for (const vec3& p : open.pixels)
+                ASSERT_GT(p.x, 0);
+            const test::Picture in_plane = LampAtCeiling(floor, 0, kind).render(camera, true);
+            EXPECT_EQ(in_plane.pixels, open.pixels) << describe(floor) << ", in the plane";
+            const float off = floor.center.x > 1000 * floor.size ? 3e-3f : 1e-3f;
+            const LampAtCeiling below(floor, off, kind);
+            EXPECT_EQ(below.render(camera, true).pixels, below.render(camera, false).pixels)
+                << describe(floor);
+            for (const vec3& p : LampAtCeiling(floor, -off, kind).render(camera, true).pixels)
+                ASSERT_EQ(p.x, 0) << describe(floor);
+        }
+    });
+}
+
+// The same for a small plate below the ceiling that faces the lamp from the side: shadow rays that
+// nearly graze the ceiling, down to 1/5 of a degree.
+TEST(Scale, ALampInTheCeilingReachesAlongIt) {
+    for_all_floors([](const Floor& ceiling) {
+        if (ceiling.how == How::scaled) return;
+        for (const float below : {0.1f, 0.01f, 0.002f}) {
+            const vec3 at(glm::dvec3(ceiling.center) +
+                          glm::dvec3(ceiling.x()) * (0.1 * double(ceiling.size)));
+            const float half = 0.5f * below * ceiling.size;
+            const vec3 middle = at - ceiling.x() * (0.5f * ceiling.size) -
+                                ceiling.normal() * (below * ceiling.size);
+            const auto render = [&](bool closed) {
+                SceneBuilder b;
+                b.place(b.quad(middle - ceiling.normal() * half - vec3(0, 0, half),
+                               ceiling.normal() * (2 * half), vec3(0, 0, 2 * half),
+                               b.material(test::lambertian(kAlbedo))));
+                if (closed) ceiling.add(b);
+                Light lamp;
+                lamp.kind = kLightPoint;
+                lamp.intensity = ceiling.size * ceiling.size;
+                b.light(lamp, glm::translate(glm::mat4(1), at));
+                CameraData camera =
+                    camera_look_at(middle + ceiling.x() * half, middle, ceiling.normal(), 1, 1);
+                camera.kind = kCameraOrthographic;
+                camera.half_width = camera.half_height = 0.9f * half;
+                return Studio(b.scene).render(camera, {.samples = 1});
+            };
+            const test::Picture open = render(false);
+            ASSERT_GT(open.mean().x, 0) << describe(ceiling);
+            EXPECT_EQ(render(true).pixels, open.pixels) << describe(ceiling) << ", " << below;
         }
     });
 }

@@ -2,6 +2,7 @@
 #ifndef HM_SHADING_LIGHT_PUNCTUAL_H
 #define HM_SHADING_LIGHT_PUNCTUAL_H
 
+#include "shading/geometry.h"
 #include "shading/math.h"
 #include "shading/structs.h"
 
@@ -9,7 +10,7 @@ HM_NAMESPACE_BEGIN
 
 struct PunctualSample {
     vec3 wi;          // unit, towards the light
-    float distance;   // kInfinity for a directional light
+    float distance;   // of the shadow ray; kInfinity for a directional light
     vec3 irradiance;  // on a surface facing the light
 };
 
@@ -37,6 +38,10 @@ HM_FN void sample_punctual(HM_IN(LightData) light, vec3 p, HM_OUT(PunctualSample
         attenuation = attenuation * cone * cone;
     }
     s.irradiance = light.color * attenuation;
+    if (light.surface_error > 0.0f) {
+        float end = ray_end_error(light.surface_error, light.surface_normal, s.wi, s.distance);
+        s.distance = max(s.distance - end, 0.0f);
+    }
 }
 
 HM_NAMESPACE_END

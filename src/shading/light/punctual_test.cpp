@@ -59,6 +59,29 @@ TEST(Lights, SpotConeIsTheExtensionsFormula) {
     }
 }
 
+// The shadow ray ends in front of the surface, by its error along the normal, whatever the angle;
+// on an edge of several surfaces by 64 times that. The light itself stays what it is.
+TEST(Lights, OnASurfaceTheShadowRayEndsInFrontOfIt) {
+    LightData light = point_light(0);
+    light.surface_normal = vec3(0, 1, 0);
+    light.surface_error = 1e-3f;
+    for (float cosine : {1.0f, 0.5f, 0.1f, 0.02f}) {
+        const vec3 to_light(std::sqrt(1 - cosine * cosine), cosine, 0);
+        PunctualSample s, plain;
+        sample_punctual(light, light.position - 2.0f * to_light, s);
+        sample_punctual(point_light(0), light.position - 2.0f * to_light, plain);
+        EXPECT_NEAR((plain.distance - s.distance) * cosine, 1e-3f, 1e-5f) << cosine;
+        EXPECT_EQ(s.irradiance, plain.irradiance);
+        light.surface_normal = vec3(0);
+        sample_punctual(light, light.position - 2.0f * to_light, s);
+        EXPECT_NEAR(plain.distance - s.distance, 64e-3f, 5e-4f);
+        light.surface_normal = vec3(0, 1, 0);
+    }
+    PunctualSample s;
+    sample_punctual(light, light.position - vec3(0, 1e-4f, 0), s);
+    EXPECT_EQ(s.distance, 0.0f);
+}
+
 TEST(Lights, DirectionalNeverFades) {
     LightData light{};
     light.kind = kLightDirectional;
