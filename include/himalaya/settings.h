@@ -62,7 +62,7 @@ struct LightSettings {
 };
 
 struct AnimationSettings {
-    std::string animation{};      // name or index; empty: the first
+    std::string animation{};      // name or index; "all": all together; empty: the first
     std::optional<float> time{};  // seconds; none: rest pose unless an animation is named
 };
 

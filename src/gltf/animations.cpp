@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <set>
@@ -64,9 +65,7 @@ Result<std::vector<float>> read_values(const Json& json, Source& source, std::si
         std::uint64_t{accessor.count} * component_count(accessor.type) * sizeof(float);
     HM_TRY(take_work(json, source, bytes));
     HM_TRY(take_memory(json, source, bytes));
-    HM_TRY_ASSIGN(std::vector<float> values, read_floats(source, index));
-    HM_TRY(check_finite(source, index, values));
-    return values;
+    return read_floats(source, index);
 }
 
 Result<std::vector<float>> read_times(const Json& json, Source& source) {
@@ -84,7 +83,31 @@ Result<std::vector<float>> read_times(const Json& json, Source& source) {
 struct FileSampler {
     AnimationSampler sampler;
     std::size_t output;  // accessor
+    std::size_t keys;    // in the file; the sampler may have fewer
 };
+
+// Removes keys with a NaN or infinite time or value.
+void drop_bad_keys(const Json& json, Source& source, AnimationSampler& sampler) {
+    const std::size_t keys = sampler.times.size();
+    // If the sizes do not fit, check_output fails for every channel that uses the sampler.
+    const std::size_t width = sampler.values.size() % keys == 0 ? sampler.values.size() / keys : 0;
+    std::size_t kept = 0;
+    for (std::size_t key = 0; key < keys; ++key) {
+        const float* const value = sampler.values.data() + key * width;
+        const bool is_good =
+            std::isfinite(sampler.times[key]) &&
+            std::all_of(value, value + width, [](float number) { return std::isfinite(number); });
+        if (!is_good) continue;
+        sampler.times[kept] = sampler.times[key];
+        std::copy_n(value, width, sampler.values.data() + kept * width);
+        ++kept;
+    }
+    if (kept == keys) return;
+    source.warn(json.pointer(), "keys with a NaN or infinite time or value are ignored",
+                keys - kept);
+    sampler.times.resize(kept);
+    if (width > 0) sampler.values.resize(kept * width);
+}
 
 // Several keys at the same time are a jump: the last one applies from that time on. Keys out of
 // order are sorted together with their values.
@@ -116,6 +139,8 @@ Result<FileSampler> read_sampler(const Json& json, Source& source) {
     HM_TRY_ASSIGN(out.sampler.times, read_times(json, source));
     HM_TRY_ASSIGN(out.output, required_accessor(json, source, "output"));
     HM_TRY_ASSIGN(out.sampler.values, read_values(json, source, out.output));
+    out.keys = out.sampler.times.size();
+    drop_bad_keys(json, source, out.sampler);
     repair_order(json, source, out.sampler);
     return out;
 }
@@ -154,8 +179,7 @@ Result<void> check_output(const Json& channel, const Source& source, const Neede
             "sampler", fmt::format("its output, accessor {}, has a type that is invalid for {}",
                                    from.output, needed.name));
     const bool cubic = from.sampler.interpolation == Interpolation::cubic_spline;
-    const std::uint64_t expected =
-        std::uint64_t{from.sampler.times.size()} * needed.per_key * (cubic ? 3u : 1u);
+    const std::uint64_t expected = std::uint64_t{from.keys} * needed.per_key * (cubic ? 3u : 1u);
     if (accessor.count != expected)
         return channel.invalid("sampler", fmt::format("its output, accessor {}, has {} elements, "
                                                       "expected {}",
@@ -178,6 +202,9 @@ class AnimationReader {
                      const PathName& path);
     Result<void> add(const Json& json, std::size_t sampler, std::size_t owner, AnimatedValue value);
     Result<std::size_t> values_per_key(const Json& target, const PathName& path, const Node& node);
+    bool is_first(const Json& json, std::size_t owner,
+                  std::variant<AnimatedProperty, AnimatedValue> property);
+    bool has_keys(const Json& json, const FileSampler& from);
 
     PointerReader& pointers_;
     Source& source_;
@@ -201,10 +228,25 @@ Result<std::size_t> AnimationReader::values_per_key(const Json& target, const Pa
     return count;
 }
 
+// Whether no earlier channel has the same target.
+bool AnimationReader::is_first(const Json& json, std::size_t owner,
+                               std::variant<AnimatedProperty, AnimatedValue> property) {
+    if (targets_.emplace(owner, property).second) return true;
+    source_.warn(json.pointer_of("target"),
+                 "channel ignored: an earlier one of the animation has the same target");
+    return false;
+}
+
+// Whether any of the sampler's keys is valid.
+bool AnimationReader::has_keys(const Json& json, const FileSampler& from) {
+    if (!from.sampler.times.empty()) return true;
+    source_.warn(json.pointer(), "channel ignored: it has no valid keys");
+    return false;
+}
+
 Result<void> AnimationReader::add(const Json& json, const Json& target, std::size_t sampler,
                                   std::size_t node, const PathName& path) {
-    if (!targets_.emplace(node, path.property).second)
-        return json.invalid("target", "another channel of the animation has the same target");
+    if (!is_first(json, node, path.property)) return {};
     const int index = scene_node_[node];
     if (index == kUnset) return {};
     HM_TRY_ASSIGN(const std::size_t per_key,
@@ -212,14 +254,14 @@ Result<void> AnimationReader::add(const Json& json, const Json& target, std::siz
     const FileSampler& from = samplers_[sampler];
     HM_TRY(check_output(json, source_, {path.name, path.type, path.integers, per_key}, from));
     if (path.property == AnimatedProperty::rotation) HM_TRY(check_rotations(source_, from));
+    if (!has_keys(json, from)) return {};
     animation_.channels.push_back({sampler, std::size_t(index), path.property});
     return {};
 }
 
 Result<void> AnimationReader::add(const Json& json, std::size_t sampler, std::size_t owner,
                                   AnimatedValue value) {
-    if (!targets_.emplace(owner, value).second)
-        return json.invalid("target", "another channel of the animation has the same target");
+    if (!is_first(json, owner, value)) return {};
     const FileSampler& from = samplers_[sampler];
     const ElementType type = width(value) == 4   ? ElementType::vec4
                              : width(value) == 3 ? ElementType::vec3
@@ -234,6 +276,7 @@ Result<void> AnimationReader::add(const Json& json, std::size_t sampler, std::si
         if (scene_node_[owner] == kUnset) return {};
         owner = std::size_t(scene_node_[owner]);
     }
+    if (!has_keys(json, from)) return {};
     animation_.values.push_back({sampler, value, owner, get_value(scene_, value, owner)});
     return {};
 }

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/text.h"
 #include "scene/choice_names.h"
@@ -25,14 +27,22 @@ void check_planes(const Json& json, Source& source, bool near_is_valid, float ne
         source.warn(json.pointer(), "invalid znear or zfar; there is no clipping");
 }
 
+// The camera stays in the scene, but only pictures through other cameras can be rendered.
+void mark_unusable(Source& source, Camera& camera, tl::unexpected<Error> fault) {
+    camera.fault = std::move(fault.value());
+    source.warn(camera.fault->location, camera.fault->message + "; the camera cannot be used");
+}
+
 Result<void> read_perspective(const Json& json, Source& source, Camera& camera) {
     camera.perspective = true;
     HM_TRY_ASSIGN(camera.yfov, required_number(json, "yfov"));
     if (camera.yfov <= 0 || camera.yfov >= kPi)
-        return json.invalid("yfov", fmt::format("{} is not between 0 and pi", camera.yfov));
+        mark_unusable(source, camera,
+                      json.invalid("yfov", fmt::format("{} is not between 0 and pi", camera.yfov)));
     HM_TRY_ASSIGN(const auto aspect_ratio, json.number("aspectRatio"));
-    if (aspect_ratio && *aspect_ratio <= 0) return json.invalid("aspectRatio", "must be positive");
-    camera.aspect_ratio = aspect_ratio.value_or(0);
+    if (aspect_ratio && *aspect_ratio <= 0)
+        source.warn(json.pointer_of("aspectRatio"), "not positive; that of the image is used");
+    camera.aspect_ratio = std::max(aspect_ratio.value_or(0), 0.0f);
     HM_TRY_ASSIGN(const float near, required_number(json, "znear"));
     HM_TRY_ASSIGN(const auto far, json.number("zfar"));
     check_planes(json, source, near > 0, near, far);
@@ -43,8 +53,8 @@ Result<void> read_orthographic(const Json& json, Source& source, Camera& camera)
     camera.perspective = false;
     HM_TRY_ASSIGN(camera.xmag, required_number(json, "xmag"));
     HM_TRY_ASSIGN(camera.ymag, required_number(json, "ymag"));
-    if (camera.xmag == 0) return json.invalid("xmag", "must not be 0");
-    if (camera.ymag == 0) return json.invalid("ymag", "must not be 0");
+    for (const auto& [key, value] : {std::pair("xmag", camera.xmag), {"ymag", camera.ymag}})
+        if (value == 0 && !camera.fault) mark_unusable(source, camera, json.invalid(key, "is 0"));
     if (camera.xmag < 0 || camera.ymag < 0)
         source.warn(json.pointer(), "negative magnification; its absolute value is used");
     camera.xmag = std::abs(camera.xmag);

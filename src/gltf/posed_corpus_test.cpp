@@ -55,7 +55,7 @@ TEST(PosedCorpus, PosesAndComesBackToRest) {
             bool moved = false;
             const double end = double(last_time(scene.animations[i]));
             for (const double share : {0.0, 0.3, 0.5, 1.0, 1.5}) {
-                const auto posed = pose_scene(scene, PoseTime{i, share * end});
+                const auto posed = pose_scene(scene, PoseTime{{i}, share * end});
                 ASSERT_TRUE(posed) << posed.error().line();
                 moved = moved || !same_pose(scene, *loaded);
                 EXPECT_FALSE(flatten(scene, {}, {}, diagnostics).bounds.empty()) << name;

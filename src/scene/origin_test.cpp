@@ -128,7 +128,7 @@ TEST(Origin, AnimationKeepsPrecision) {
                                 {{Interpolation::linear, {0, 1}, {8000000, 0, 0, 8000001, 0, 0}}},
                                 {{0, 0, AnimatedProperty::translation}},
                                 {}});
-    ASSERT_TRUE(pose_scene(scene, PoseTime{0, 0.125}));
+    ASSERT_TRUE(pose_scene(scene, PoseTime{{0}, 0.125}));
     EXPECT_EQ(world_transforms(scene)[0][3].x, 0.125);
 }
 

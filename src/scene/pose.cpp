@@ -6,7 +6,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <span>
+#include <utility>
+#include <variant>
 
 #include "scene/animated_values.h"
 #include "scene/origin.h"
@@ -154,10 +157,11 @@ Result<void> deform_meshes(Scene& scene, const Pose& pose, const std::vector<glm
 Result<void> pose_scene(Scene& scene, const std::optional<PoseTime>& at) {
     Pose pose = rest_pose(scene);
     reset_values(scene);
-    if (at) {
-        apply(scene.animations[at->animation], at->seconds, pose);
-        HM_TRY(apply_values(scene, at->animation, at->seconds));
-    }
+    if (at)
+        for (const std::size_t animation : at->animations) {
+            apply(scene.animations[animation], at->seconds, pose);
+            HM_TRY(apply_values(scene, animation, at->seconds));
+        }
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
         if (scene.nodes[i].rest) set_local(scene, scene.nodes[i], pose.transforms[i]);
     const std::vector<glm::dmat4> world = world_transforms(scene);
@@ -181,6 +185,19 @@ Result<std::size_t> find_animation(const Scene& scene, const std::string& wanted
                         fmt::format("there is no animation \"{}\"; the file has {}", wanted,
                                     known.empty() ? "none" : known),
                         scene.file);
+}
+
+std::size_t count_shared_targets(const Scene& scene) {
+    using Target = std::pair<std::size_t, std::variant<AnimatedProperty, AnimatedValue>>;
+    std::map<Target, std::size_t> uses;  // no animation has a target twice
+    for (const Animation& animation : scene.animations) {
+        for (const Channel& channel : animation.channels)
+            ++uses[{channel.node, channel.property}];
+        for (const ValueChannel& channel : animation.values)
+            ++uses[{channel.owner, channel.value}];
+    }
+    return std::size_t(
+        std::ranges::count_if(uses, [](const auto& target) { return target.second > 1; }));
 }
 
 }  // namespace hm

@@ -1,9 +1,10 @@
-// Poses a scene at a given time of one of its animations.
+// Poses a scene at a given time of its animations.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "scene/scene.h"
@@ -11,7 +12,8 @@
 namespace hm {
 
 struct PoseTime {
-    std::size_t animation = 0;  // into Scene::animations
+    // Into Scene::animations. They play together; the last that sets a value wins.
+    std::vector<std::size_t> animations{};
     double seconds = 0;
 };
 
@@ -23,5 +25,8 @@ Result<void> pose_scene(Scene& scene, const std::optional<PoseTime>& at);
 // Finds an animation by name or index; names take precedence. Fails with
 // ErrorKind::invalid_argument.
 Result<std::size_t> find_animation(const Scene& scene, const std::string& wanted);
+
+// How many properties are targets of more than one of the scene's animations.
+std::size_t count_shared_targets(const Scene& scene);
 
 }  // namespace hm

@@ -95,7 +95,7 @@ TEST(Skins, RestPoseFollowsTheJointsAlone) {
 
 TEST(Skins, NinetyDegreesByHand) {
     Scene scene = bent_scene();
-    ASSERT_TRUE(pose_scene(scene, PoseTime{0, 1}));
+    ASSERT_TRUE(pose_scene(scene, PoseTime{{0}, 1}));
     const std::vector<Vertex>& v = scene.meshes[0].primitives[0].vertices;
     expect_near(v[0].position, {0, 0, 3});
     expect_near(v[1].position, {0, 1, 3});   // the hinge
@@ -126,10 +126,10 @@ bool same_bytes(const Primitive& a, const Primitive& b) {
 TEST(Posing, LeavesNothingBehind) {
     Scene fresh = bent_scene(), used = bent_scene();
     for (const double t : {0.3, 5.0, 0.7, -1.0})
-        ASSERT_TRUE(pose_scene(used, PoseTime{0, t}));
+        ASSERT_TRUE(pose_scene(used, PoseTime{{0}, t}));
     for (const double t : {0.4, 1.0}) {
-        ASSERT_TRUE(pose_scene(fresh = bent_scene(), PoseTime{0, t}));
-        ASSERT_TRUE(pose_scene(used, PoseTime{0, t}));
+        ASSERT_TRUE(pose_scene(fresh = bent_scene(), PoseTime{{0}, t}));
+        ASSERT_TRUE(pose_scene(used, PoseTime{{0}, t}));
         EXPECT_TRUE(same_bytes(fresh.meshes[0].primitives[0], used.meshes[0].primitives[0]));
     }
     ASSERT_TRUE(pose_scene(fresh = bent_scene(), std::nullopt));
@@ -172,7 +172,7 @@ TEST(Morphing, WeightsOfMeshNodeAndAnimation) {
     scene.nodes[0].weights = {0, 1};
     ASSERT_TRUE(pose_scene(scene, std::nullopt));
     expect_near(p.vertices[0].position, {1, 12, 3});
-    ASSERT_TRUE(pose_scene(scene, PoseTime{0, 0}));
+    ASSERT_TRUE(pose_scene(scene, PoseTime{{0}, 0}));
     expect_near(p.vertices[0].position, {2, -8, 3});
 }
 

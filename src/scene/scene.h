@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "image/image.h"
 #include "scene/animation.h"
 #include "scene/deformation.h"
@@ -76,9 +77,10 @@ struct Skin {
 struct Camera {
     std::string name;
     bool perspective = true;
-    float yfov = 0.8f;         // radians
-    float aspect_ratio = 0;    // 0: that of the image
-    float xmag = 1, ymag = 1;  // orthographic half extents, metres
+    float yfov = 0.8f;             // radians
+    float aspect_ratio = 0;        // 0: that of the image
+    float xmag = 1, ymag = 1;      // orthographic half extents, metres
+    std::optional<Error> fault{};  // the value in the file that makes it unusable
 };
 
 struct Light {

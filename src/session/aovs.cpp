@@ -27,7 +27,7 @@ Result<std::optional<PoseRecord>> record_next_pose(const RenderSettings& setting
                                                    const std::optional<PoseTime>& pose) {
     if (!pose || !select_aovs(settings).has(Aov::motion)) return std::nullopt;
     HM_TRY(pose_scene(
-        scene, PoseTime{pose->animation, pose->seconds + 1.0 / double(settings.animation.fps)}));
+        scene, PoseTime{pose->animations, pose->seconds + 1.0 / double(settings.animation.fps)}));
     return record_pose(scene);
 }
 

@@ -62,6 +62,11 @@ Result<std::size_t> find_camera(const std::string& wanted, const Scene& scene,
                         scene.file);
 }
 
+// Whether the first one, which is the default, can be used.
+bool has_usable_camera(const Scene& scene, const std::vector<std::size_t>& nodes) {
+    return !nodes.empty() && !camera_of(scene, nodes[0]).fault;
+}
+
 Result<CameraChoice> file_camera(const ViewSettings& view, const Scene& scene,
                                  const std::vector<std::size_t>& nodes,
                                  const std::vector<glm::dmat4>& world, const Bounds& bounds,
@@ -72,6 +77,7 @@ Result<CameraChoice> file_camera(const ViewSettings& view, const Scene& scene,
     }
     const std::size_t node = nodes[chosen];
     Camera camera = camera_of(scene, node);
+    if (camera.fault) return tl::unexpected(*camera.fault);
     if (view.fov && !camera.perspective)
         return fail_setting("fov", "the chosen camera is orthographic and has no field of view",
                             scene.file);
@@ -102,7 +108,7 @@ Result<CameraChoice> choose_camera(const ViewSettings& view, const Scene& scene,
                                                      "needed");
         choice = {camera_look_at(eye, target, view.up.value_or(vec3(0, 1, 0)), fov, aspect),
                   "look-at"};
-    } else if (view.camera != kNoCamera && (!nodes.empty() || !view.camera.empty())) {
+    } else if (view.camera.empty() ? has_usable_camera(scene, nodes) : view.camera != kNoCamera) {
         HM_TRY_ASSIGN(choice, file_camera(view, scene, nodes, world, bounds, aspect));
     } else {
         choice = {camera_framing(bounds, fov, aspect), "framing"};

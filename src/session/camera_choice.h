@@ -17,8 +17,10 @@ struct CameraChoice {
     std::string name;  // "camera 0 (name)", "look-at" or "framing"
 };
 
-// Fails with ErrorKind::invalid_argument if the settings do not fit the scene. `world` has the
-// nodes' transforms if they are not those of the scene's current pose.
+// Without settings, a first camera that cannot be used counts as none. Fails with
+// ErrorKind::invalid_argument if the settings do not fit the scene, and with Camera::fault if that
+// of the chosen camera is set. `world` has the nodes' transforms if they are not those of the
+// scene's current pose.
 Result<CameraChoice> choose_camera(const ViewSettings& view, const Scene& scene,
                                    const Bounds& bounds, float aspect);
 Result<CameraChoice> choose_camera(const ViewSettings& view, const Scene& scene,

@@ -10,8 +10,9 @@
 
 namespace hm {
 
-// The animation and its time; nothing for the rest pose. Fails with ErrorKind::invalid_argument if
-// the scene does not have the animation.
+// The animations and their time; nothing for the rest pose. Warns of animations that are left out
+// because none was named, and of several that set the same property. Fails with
+// ErrorKind::invalid_argument if the scene does not have the animation.
 Result<std::optional<PoseTime>> choose_pose(const AnimationSettings& settings, const Scene& scene,
                                             Diagnostics& diagnostics);
 

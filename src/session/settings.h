@@ -52,8 +52,12 @@ struct ViewSettings {
     std::optional<float> focus;
 };
 
+// AnimationSettings::animation that plays all of the file together. An animation of that name is
+// chosen by its index.
+inline constexpr std::string_view kAllAnimations = "all";
+
 struct AnimationSettings {
-    std::string animation;    // name or index; empty: the file's first
+    std::string animation;    // name, index or kAllAnimations; empty: the file's first
     std::optional<float> at;  // seconds of the animation
     float fps = 24;
     std::optional<std::uint32_t> frame;  // number within a sequence

@@ -165,6 +165,7 @@ void write_lights_and_cameras(JsonWriter& json, const Scene& scene) {
         json.field("kind", camera.perspective ? "perspective" : "orthographic");
         json.field("yfov", double(camera.yfov)).field("aspect_ratio", double(camera.aspect_ratio));
         json.field("xmag", double(camera.xmag)).field("ymag", double(camera.ymag));
+        json.field("usable", !camera.fault);
     });
 }
 

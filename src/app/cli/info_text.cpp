@@ -11,6 +11,7 @@
 #include "app/cli/info_report.h"
 #include "base/text.h"
 #include "scene/material_parameters.h"
+#include "scene/pose.h"
 
 namespace hm::cli {
 namespace {
@@ -220,7 +221,8 @@ void describe_lights_and_cameras(Lines& out, const Scene& scene) {
         return text;
     });
     out.section("Cameras", scene.cameras, [&](std::size_t i, const Camera& camera) {
-        const std::string text = fmt::format("{}{}: ", i, name_in_quotes(camera.name));
+        std::string text = fmt::format("{}{}: ", i, name_in_quotes(camera.name));
+        if (camera.fault) return text + "unusable, see the warnings";
         if (camera.perspective)
             return text + fmt::format("perspective, {:g} degrees high", degrees(camera.yfov));
         return text + fmt::format("orthographic, {:g} x {:g} m", 2 * camera.xmag, 2 * camera.ymag);
@@ -233,6 +235,9 @@ void describe_motion(Lines& out, const InfoReport& report) {
         return fmt::format("{}{}: {:g} s, {}", i, name_in_quotes(animation.name),
                            duration(animation), plural(channel_count(animation), "channel"));
     });
+    if (scene.animations.size() > 1)
+        out.line(fmt::format("  --animation all plays them together; {} set by more than one",
+                             plural_of(count_shared_targets(scene), "property", "properties")));
     out.section("Skins", scene.skins, [](std::size_t i, const Skin& skin) {
         return fmt::format("{}{}: {}", i, name_in_quotes(skin.name),
                            plural(skin.joints.size(), "joint"));

@@ -35,7 +35,7 @@ void note_defaults(Progress& progress, const RenderSettings& settings,
             "the scene has no punctual light: using the default environment (--env none "
             "for black)");
     if (summary.camera == "framing" && settings.view.camera != kNoCamera)
-        progress.note("the file has no camera: framing the whole scene (see --eye)");
+        progress.note("the file has no usable camera: framing the whole scene (see --eye)");
 }
 
 DrawHooks hooks(const RenderOptions& options, Progress& progress) {

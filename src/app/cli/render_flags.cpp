@@ -110,8 +110,8 @@ void add_view(CLI::App& app, ViewSettings& v) {
 void add_animation(CLI::App& app, RenderOptions& o) {
     AnimationSettings& animation = o.settings.animation;
     app.add_option("--animation", animation.animation,
-                   "The file's animation of this name or index (0)")
-        ->type_name("NAME|INDEX");
+                   "The file's animation of this name or index (0), or all to play all together")
+        ->type_name("NAME|INDEX|all");
     CLI::Option* at = add(
         app, "--at", "SECONDS", animation.at, number(-1e9f, 1e9f),
         "Time of the animation, which holds its first and last key outside of its range. Without "
