@@ -43,7 +43,8 @@ HM_FN float hit_error(vec3 coordinates, float extent, vec3 n) {
 
 // How far from its end a shadow ray, of this length and direction, may meet a surface at its end:
 // the error of hits and that of the vertices relative to the ray's origin, along the ray. Rays that
-// graze the surface, or whose end lies on several surfaces (n zero), get that of a cosine of 1/64.
+// graze the surface, or whose end lies on several surfaces (n zero), get that of a cosine of 1/64;
+// of the length it is less than 1e-4 then.
 HM_CONST float kLengthError = 16.0f * kRoundoff;
 HM_CONST float kLeastEndCosine = 1.0f / 64.0f;
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cpu/render.h"
 #include "scene/camera.h"
 #include "scene/light_groups.h"
 #include "scene/motion.h"
@@ -20,7 +21,16 @@ Scene with_tangents(Scene scene) {
     return scene;
 }
 
+std::unique_ptr<Renderer> make_cpu_renderer(const FlatScene& flat, unsigned threads) {
+    return std::make_unique<CpuRenderer>(flat, threads);
+}
+
 }  // namespace
+
+Backend& backend() {
+    static Backend chosen{make_cpu_renderer, true};
+    return chosen;
+}
 
 vec3 Picture::mean() const {
     glm::dvec3 sum(0);
@@ -32,7 +42,7 @@ vec3 Picture::mean() const {
 Studio::Studio(Scene scene, EnvironmentMap environment, LightChoice choice, unsigned threads)
     : scene_(with_tangents(std::move(scene))),
       flat_(flatten_quietly(scene_, std::move(environment), choice)),
-      renderer_(flat_, threads) {}
+      renderer_(backend().make(flat_, threads)) {}
 
 void Studio::draw(const CameraData& camera, const CameraData& next_camera, const Shot& shot,
                   Film& film) {
@@ -47,9 +57,10 @@ void Studio::draw(const CameraData& camera, const CameraData& next_camera, const
                                              .filter = PixelFilter::box});
     static const std::array<float, 257> box = make_filter_table(PixelFilter::box);
     RenderCounters counters;
-    EXPECT_TRUE(renderer_.begin({camera, params, box, next_camera}, film));
-    EXPECT_TRUE(renderer_.render(shot.first_sample, shot.first_sample + shot.samples, counters,
-                                 std::atomic<bool>(false)));
+    EXPECT_TRUE(renderer_->begin({camera, params, box, next_camera}, film));
+    EXPECT_TRUE(renderer_->render(shot.first_sample, shot.first_sample + shot.samples, counters,
+                                  std::atomic<bool>(false)));
+    EXPECT_TRUE(renderer_->sync());
     EXPECT_EQ(counters.non_finite.load(), 0u);
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cpu/render.h"
+#include "film/renderer.h"
 #include "scene/flatten.h"
 #include "support/scenes.h"
 
@@ -31,6 +31,13 @@ struct Picture {
     vec3 mean() const;
 };
 
+// What studios render with: the CPU, unless a test program replaces it.
+struct Backend {
+    std::unique_ptr<Renderer> (*make)(const FlatScene&, unsigned threads);
+    bool thorough;  // false where scenes are slow to make: sweeps take fewer steps
+};
+Backend& backend();
+
 // A scene ready for rendering. Not copyable: it contains pointers into itself.
 class Studio {
   public:
@@ -54,7 +61,7 @@ class Studio {
 
     Scene scene_;
     FlatScene flat_;
-    CpuRenderer renderer_;
+    std::unique_ptr<Renderer> renderer_;
 };
 
 // A camera whose pixels all see the same point, from the direction `from`.

@@ -66,7 +66,8 @@ HM_FN void sample_emitter(uint choice, uint coin, float u, float v, vec3 p,
     if ((instance.flags & kInstanceFlipped) != 0u) n = -n;
     bool front = dot(n, p - q) > 0.0f;
     if (!front && (m.flags & kMaterialDoubleSided) == 0u) return;
-    // The shadow ray ends in front of the emitter, so it never meets the emitter itself.
+    // The shadow ray ends in front of the emitter, so it never meets the emitter itself: by the
+    // error of hits along the normal, and below by the error that grows with the ray's length.
     vec3 to_light = q + n * (front ? e.error : -e.error) - p;
     float distance_squared = dot(to_light, to_light);
     if (!(distance_squared > 0.0f)) return;
@@ -75,5 +76,6 @@ HM_FN void sample_emitter(uint choice, uint coin, float u, float v, vec3 p,
     float cos_light = abs(dot(n, light.wi));
     if (!(cos_light > 0.0f)) return;
     light.pdf = drawn.pdf * 2.0f * distance_squared / (double_area * cos_light);
+    light.distance = light.distance - ray_end_error(0.0f, n, light.wi, light.distance);
     light.radiance = emitter_radiance(e, geometry, weights, m);
 }
