@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "gltf/specular_glossiness.h"
 #include "scene/material_parameters.h"
 
 namespace hm::gltf {
@@ -15,10 +16,10 @@ namespace {
 
 constexpr std::string_view kQuantization = "KHR_mesh_quantization";
 // In addition to those in the list of material parameters.
-constexpr std::array<std::string_view, 8> kSupported{
+constexpr std::array<std::string_view, 9> kSupported{
     "EXT_mesh_gpu_instancing", "KHR_animation_pointer",  "KHR_lights_punctual",
     "KHR_materials_unlit",     "KHR_materials_variants", kQuantization,
-    "KHR_node_visibility",     "KHR_texture_transform"};
+    "KHR_node_visibility",     "KHR_texture_transform",  kSpecularGlossiness};
 
 // Metadata that does not affect the picture.
 constexpr std::array<std::string_view, 8> kMetadata{"EXT_structural_metadata",

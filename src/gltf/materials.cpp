@@ -7,6 +7,7 @@
 #include <span>
 
 #include "base/text.h"
+#include "gltf/specular_glossiness.h"
 #include "gltf/textures.h"
 #include "scene/choice_names.h"
 #include "scene/material_parameters.h"
@@ -16,7 +17,6 @@ namespace {
 
 // Values outside the schema's range are clamped to it, with a warning.
 float clamp_factor(Source& source, const Json& json, const MaterialFactor& factor, float value) {
-    constexpr float kNoLimit = std::numeric_limits<float>::max();
     if (value < factor.low || value > factor.high)
         source.warn(json.pointer_of(factor.key),
                     factor.high == kNoLimit
@@ -41,10 +41,15 @@ Result<void> read_factor(const Json& owner, const MaterialFactor& factor, Source
     return {};
 }
 
-// The object that holds a parameter's key, if present.
+// The object that holds a parameter's key, if present: an object of the material, an extension, or
+// an object within an extension ("EXTENSION/object").
 Result<std::optional<Json>> find_owner(const Json& json, std::string_view owner) {
     if (owner.empty()) return json;
-    return is_extension(owner) ? extension_of(json, owner) : json.object(owner);
+    if (!is_extension(owner)) return json.object(owner);
+    const std::size_t slash = std::min(owner.find('/'), owner.size());
+    HM_TRY_ASSIGN(const auto extension, extension_of(json, owner.substr(0, slash)));
+    if (!extension || slash == owner.size()) return extension;
+    return extension->object(owner.substr(slash + 1));
 }
 
 // Calls `read` for each parameter of a list whose owner is present.
@@ -90,6 +95,7 @@ Result<Material> read_material(Source& source, const Json& json,
     HM_TRY_ASSIGN(material.double_sided, json.flag("doubleSided"));
     HM_TRY_ASSIGN(const auto unlit, extension_of(json, "KHR_materials_unlit"));
     material.unlit = unlit.has_value();
+    HM_TRY(read_specular_glossiness(json, textures, source, material));
     return material;
 }
 
@@ -99,8 +105,13 @@ Result<std::vector<Material>> read_materials(const Json& root, Source& source) {
     HM_TRY_ASSIGN(const std::vector<Texture> textures, read_textures(root));
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("materials"));
     std::vector<Material> materials;
+    std::size_t extended = 0;
     for (const Json& item : items) {
         HM_TRY_ASSIGN(Material material, read_material(source, item, textures));
+        if (is_extended(material) && ++extended > kMaxExtendedMaterials)
+            return fail(ErrorKind::unsupported, source.file, item.pointer(),
+                        fmt::format("more than {} materials with extensions are not supported",
+                                    kMaxExtendedMaterials));
         materials.push_back(std::move(material));
     }
     return materials;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace hm {
 namespace {
@@ -17,13 +18,21 @@ std::uint64_t bytes_of(const ImageView& image) {
     return std::uint64_t(image.width) * image.height * bytes_per_pixel(PixelFormat(image.format));
 }
 
-// The images that materials read.
+// The images that materials read: all but occlusion, which is simulated.
 std::vector<bool> used_images(const FlatScene& scene) {
     std::vector<bool> used(scene.images.size(), false);
-    for (const MaterialData& m : scene.materials)
-        for (const std::uint32_t use : {m.base_color_texture, m.emissive_texture,
-                                        m.metallic_roughness_texture, m.normal_texture})
-            used[scene.texture_uses[use].image] = true;
+    const auto use = [&](std::uint32_t texture, std::string_view slot) {
+        if (slot != "occlusion_texture") used[scene.texture_uses[texture].image] = true;
+    };
+    for (const MaterialData& m : scene.materials) {
+#define HM_TEXTURE(owner, key, slot, read, encoding, meaning) use(m.slot, #slot);
+#define HM_EXTENDED_TEXTURE(...)
+#include "shading/material/parameters.inl"
+    }
+    for (const ExtendedMaterialData& m : scene.extended_materials) {
+#define HM_EXTENDED_TEXTURE(owner, key, slot, read, encoding, meaning) use(m.slot, #slot);
+#include "shading/material/parameters.inl"
+    }
     return used;
 }
 

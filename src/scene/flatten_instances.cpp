@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "scene/flatten_parts.h"
+#include "scene/material_parameters.h"
 
 namespace hm {
 namespace {
@@ -61,6 +62,15 @@ void add_instance(FlatScene& flat, const Scene& scene, InstanceOrigin origin,
     flat.instance_origins.push_back(origin);
 }
 
+// kGeometryNormalMapped and kGeometryHasTangents, as the material needs them.
+std::uint32_t tangent_flags(const Scene& scene, const Primitive& p, const std::string& mesh) {
+    const Material& material = scene.materials[std::size_t(p.material)];
+    if (tangent_texture(material) == nullptr) return 0;
+    HM_CHECK(p.has_tangents, "mesh \"{}\": prepare_tangents was not called", mesh);
+    const bool mapped = material.normal_texture.image != kUnset;
+    return kGeometryHasTangents | (mapped ? kGeometryNormalMapped : 0u);
+}
+
 }  // namespace
 
 void flatten_geometries(const Scene& scene, FlatScene& flat) {
@@ -72,10 +82,7 @@ void flatten_geometries(const Scene& scene, FlatScene& flat) {
                                               : std::uint32_t(p.material);
             if (p.has_normals) g.flags |= kGeometryHasNormals;
             if (!p.extras.empty()) g.flags |= kGeometryHasExtras;
-            if (flat.materials[g.material].normal_texture != 0) {
-                HM_CHECK(p.has_tangents, "mesh \"{}\": prepare_tangents was not called", mesh.name);
-                g.flags |= kGeometryNormalMapped;
-            }
+            if (p.material != kUnset) g.flags |= tangent_flags(scene, p, mesh.name);
             g.emitter_offset = kNone;
             g.triangle_count = std::uint32_t(p.triangles.size());
             flat.geometries.push_back(g);

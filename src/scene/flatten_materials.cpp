@@ -2,7 +2,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/check.h"
 #include "scene/flatten_parts.h"
+#include "scene/material_parameters.h"
 
 namespace hm {
 namespace {
@@ -20,11 +22,15 @@ constexpr bool multiplies(std::string_view table) {
                   std::is_same_v<decltype(std::declval<MaterialData&>().table type{}), type&>);
 #define HM_TEXTURE(owner, key, slot, read, encoding, meaning) \
     static_assert(std::is_same_v<decltype(MaterialData::slot), std::uint32_t>);
+#define HM_EXTENDED_FACTOR(...)
+#define HM_EXTENDED_TEXTURE(...)
 #include "shading/material/parameters.inl"
 constexpr std::size_t kBytesOfParameters =
 #define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
     (multiplies(#table) ? 0 : sizeof(type)) +
 #define HM_TEXTURE(owner, key, slot, read, encoding, meaning) sizeof(MaterialData::slot) +
+#define HM_EXTENDED_FACTOR(...)
+#define HM_EXTENDED_TEXTURE(...)
 #include "shading/material/parameters.inl"
     0;
 static_assert(sizeof(MaterialData) == kBytesOfParameters + sizeof(MaterialData::specular_weight) +
@@ -38,16 +44,41 @@ std::uint32_t add_texture_use(FlatScene& flat, const TextureSlot& slot) {
     return std::uint32_t(flat.texture_uses.size()) - 1;
 }
 
+void add_extended_material(FlatScene& flat, const Material& m) {
+    ExtendedMaterialData data{};
+#define HM_EXTENDED_FACTOR(owner, key, type, member, start, low, high, below, animated, meaning) \
+    data.member = m.member;
+#define HM_EXTENDED_TEXTURE(owner, key, slot, read, encoding, meaning) \
+    data.slot = add_texture_use(flat, m.slot);
+#include "shading/material/parameters.inl"
+    flat.extended_materials.push_back(data);
+}
+
+// 1 + the material's row in extended_materials; 0: it needs none.
+std::uint32_t row_of(FlatScene& flat, const Material& m) {
+    if (!is_extended(m)) return 0;
+    HM_CHECK(flat.extended_materials.size() < kMaxExtendedMaterials,
+             "more than {} materials with extensions", kMaxExtendedMaterials);
+    add_extended_material(flat, m);
+    return std::uint32_t(flat.extended_materials.size());
+}
+
 void add_material(FlatScene& flat, const Material& m) {
     MaterialData data{};
 #define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
     data.table m.member;
 #define HM_TEXTURE(owner, key, slot, read, encoding, meaning) \
     data.slot = add_texture_use(flat, m.slot);
+#define HM_EXTENDED_FACTOR(...)
+#define HM_EXTENDED_TEXTURE(...)
 #include "shading/material/parameters.inl"
     data.specular_weight = m.specular_weight;
     data.alpha_mode = m.alpha_mode;
-    data.flags = (m.double_sided ? kMaterialDoubleSided : 0u) | (m.unlit ? kMaterialUnlit : 0u);
+    data.flags = row_of(flat, m) << kMaterialRowShift;
+    if (m.double_sided) data.flags |= kMaterialDoubleSided;
+    if (m.unlit) data.flags |= kMaterialUnlit;
+    if (m.thickness > 0) data.flags |= kMaterialVolume;
+    if (m.specular_glossiness) data.flags |= kMaterialGlossy;
     flat.materials.push_back(data);
 }
 

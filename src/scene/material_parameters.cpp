@@ -8,25 +8,30 @@
 namespace hm {
 namespace {
 
-constexpr float kNoLimit = std::numeric_limits<float>::max();
 constexpr BelowRange kClamp = BelowRange::clamp;
 constexpr BelowRange kRefuse = BelowRange::refuse;
 
+#define HM_ENTRY(owner, key, type, member, start, low, high, below, animated, extended, meaning) \
+    {owner,                                                                                      \
+     key,                                                                                        \
+     #member,                                                                                    \
+     AnimatedValue::member,                                                                      \
+     sizeof(type) / sizeof(float),                                                               \
+     start,                                                                                      \
+     low,                                                                                        \
+     high,                                                                                       \
+     below,                                                                                      \
+     animated,                                                                                   \
+     extended,                                                                                   \
+     meaning},
 constexpr MaterialFactor kFactors[] = {
 #define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
-    {owner,                                                                                    \
-     key,                                                                                      \
-     #member,                                                                                  \
-     AnimatedValue::member,                                                                    \
-     sizeof(type) / sizeof(float),                                                             \
-     start,                                                                                    \
-     low,                                                                                      \
-     high,                                                                                     \
-     below,                                                                                    \
-     animated,                                                                                 \
-     meaning},
+    HM_ENTRY(owner, key, type, member, start, low, high, below, animated, false, meaning)
+#define HM_EXTENDED_FACTOR(owner, key, type, member, start, low, high, below, animated, meaning) \
+    HM_ENTRY(owner, key, type, member, start, low, high, below, animated, true, meaning)
 #include "shading/material/parameters.inl"
 };
+#undef HM_ENTRY
 
 constexpr MaterialTexture kTextures[] = {
 #define HM_TEXTURE(owner, key, slot, read, encoding, meaning) \
@@ -69,6 +74,21 @@ std::span<float> material_floats(Material& material, AnimatedValue value) {
 
 std::span<const float> material_floats(const Material& material, AnimatedValue value) {
     return floats_of(material, value);
+}
+
+bool is_extended(const Material& m) {
+    return m.specular_glossiness ||
+#define HM_EXTENDED_FACTOR(owner, key, type, member, start, low, high, below, animated, meaning) \
+    m.member != type(start) ||
+#define HM_EXTENDED_TEXTURE(owner, key, slot, read, encoding, meaning) m.slot.image != kUnset ||
+#include "shading/material/parameters.inl"
+           false;
+}
+
+const TextureSlot* tangent_texture(const Material& m) {
+    for (const TextureSlot* slot : {&m.normal_texture, &m.clearcoat_normal_texture})
+        if (slot->image != kUnset) return slot;
+    return m.anisotropy != 0 ? &m.anisotropy_texture : nullptr;
 }
 
 bool is_extension(std::string_view owner) {

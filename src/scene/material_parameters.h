@@ -26,6 +26,7 @@ struct MaterialFactor {
     float low, high;  // -/+ the largest float where there is no limit
     BelowRange below;
     bool animated;  // false: animating it does not affect the image
+    bool extended;  // a member of ExtendedMaterialData, so most materials have its default
     std::string_view meaning;
 };
 
@@ -48,7 +49,15 @@ const MaterialFactor* find_material_factor(AnimatedValue value);
 std::span<float> material_floats(Material& material, AnimatedValue value);
 std::span<const float> material_floats(const Material& material, AnimatedValue value);
 
-// Whether the owner is the object of an extension.
+// Whether it needs a row in extended_materials: it is a specular-glossiness material, or an
+// HM_EXTENDED_ entry of the list is not as it starts.
+bool is_extended(const Material& material);
+
+// The texture whose coordinates give the material's tangents, where the file has none: that of the
+// normal map, else of the coat's, else the direction of anisotropy. Null if nothing needs tangents.
+const TextureSlot* tangent_texture(const Material& material);
+
+// Whether the owner is the object of an extension, or within one.
 bool is_extension(std::string_view owner);
 // JSON pointer from the material to the property.
 std::string pointer_in_material(std::string_view owner, std::string_view key);

@@ -13,9 +13,8 @@ namespace hm {
 namespace {
 
 std::string range_text(const MaterialFactor& f) {
-    constexpr float kMost = std::numeric_limits<float>::max();
-    if (f.low == -kMost) return "any";
-    if (f.high == kMost) return fmt::format("at least {:g}", f.low);
+    if (f.low == -kNoLimit) return "any";
+    if (f.high == kNoLimit) return fmt::format("at least {:g}", f.low);
     return fmt::format("{:g} to {:g}", f.low, f.high);
 }
 
@@ -24,8 +23,9 @@ std::string name_text(std::string_view owner, std::string_view key) {
 }
 
 std::string factor_line(const MaterialFactor& f) {
-    return fmt::format("| {} | {} | {:g} | {} | {} | {} |", name_text(f.owner, f.key), f.components,
-                       f.start, range_text(f), f.animated ? "yes" : "no", f.meaning);
+    const std::string start = f.start == kNoLimit ? "infinite" : fmt::format("{:g}", f.start);
+    return fmt::format("| {} | {} | {} | {} | {} | {} |", name_text(f.owner, f.key), f.components,
+                       start, range_text(f), f.animated ? "yes" : "no", f.meaning);
 }
 
 std::string texture_line(const MaterialTexture& t) {
@@ -73,13 +73,32 @@ TEST(MaterialParameters, DefaultsLieInTheirRangesAndReachTheirMembers) {
     EXPECT_TRUE(material_floats(material, AnimatedValue::yfov).empty());
 }
 
+TEST(MaterialParameters, AnyChangeOfAnExtensionMakesAMaterialExtended) {
+    EXPECT_FALSE(is_extended(Material{}));
+    for (const MaterialFactor& f : material_factors()) {
+        Material material;
+        material_floats(material, f.value)[0] += 0.25f;
+        if (f.start == kNoLimit) continue;
+        EXPECT_EQ(is_extended(material), f.extended) << f.key;
+    }
+    Material textured;
+    textured.sheen_color_texture.image = 0;
+    EXPECT_TRUE(is_extended(textured));
+    Material glossy;
+    glossy.specular_glossiness = true;
+    EXPECT_TRUE(is_extended(glossy));
+}
+
 TEST(MaterialParameters, PointersLeadIntoExtensions) {
     EXPECT_EQ(pointer_in_material("", "alphaCutoff"), "/alphaCutoff");
     EXPECT_EQ(pointer_in_material("normalTexture", "scale"), "/normalTexture/scale");
     EXPECT_EQ(pointer_in_material("KHR_materials_emissive_strength", "emissiveStrength"),
               "/extensions/KHR_materials_emissive_strength/emissiveStrength");
     EXPECT_TRUE(has_material_parameters("KHR_materials_emissive_strength"));
-    EXPECT_FALSE(has_material_parameters("KHR_materials_sheen"));
+    EXPECT_EQ(pointer_in_material("KHR_materials_clearcoat/clearcoatNormalTexture", "scale"),
+              "/extensions/KHR_materials_clearcoat/clearcoatNormalTexture/scale");
+    EXPECT_TRUE(has_material_parameters("KHR_materials_sheen"));
+    EXPECT_FALSE(has_material_parameters("KHR_materials_wax"));
     EXPECT_FALSE(has_material_parameters("pbrMetallicRoughness"));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,9 @@
 namespace hm {
 
 inline constexpr int kUnset = -1;
+
+// The end of a parameter's range that has none.
+inline constexpr float kNoLimit = std::numeric_limits<float>::max();
 
 // The texture of one material slot. Images are shared between slots by index.
 struct TextureSlot {
@@ -41,6 +45,7 @@ struct Material {
     std::uint32_t alpha_mode = kAlphaOpaque;
     bool double_sided = false;
     bool unlit = false;
+    bool specular_glossiness = false;  // see kMaterialGlossy
 
     vec3 emissive() const {
         return emissive_factor * emissive_strength;

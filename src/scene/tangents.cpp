@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "scene/index_table.h"
+#include "scene/material_parameters.h"
 #include "scene/tangent_space.h"
 
 namespace hm {
@@ -146,8 +147,8 @@ void prepare_tangents(Scene& scene) {
     for (Mesh& mesh : scene.meshes)
         for (Primitive& p : mesh.primitives) {
             if (p.material == kUnset || p.has_tangents) continue;
-            const TextureSlot& slot = scene.materials[std::size_t(p.material)].normal_texture;
-            if (slot.image != kUnset) work.push_back({&p, &slot});
+            const TextureSlot* slot = tangent_texture(scene.materials[std::size_t(p.material)]);
+            if (slot != nullptr) work.push_back({&p, slot});
         }
     tbb::parallel_for(std::size_t(0), work.size(), [&](std::size_t i) {
         Primitive& p = *work[i].primitive;

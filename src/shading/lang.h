@@ -76,6 +76,10 @@ inline vec3 fast_normalize(vec3 v) {
 inline uint mul_high(uint a, uint b) {
     return uint((std::uint64_t(a) * std::uint64_t(b)) >> 32);
 }
+// The number of the lowest bit that is set; x is not 0.
+inline uint lowest_bit(uint x) {
+    return uint(std::countr_zero(x));
+}
 inline uint reverse_bits(uint x) {
     x = __builtin_bswap32(x);
     x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
@@ -110,6 +114,9 @@ uint mul_high(uint a, uint b) {
     uint low;
     umulExtended(a, b, high, low);
     return high;
+}
+uint lowest_bit(uint x) {
+    return uint(findLSB(x));
 }
 uint reverse_bits(uint x) {
     return bitfieldReverse(x);

@@ -19,6 +19,13 @@ HM_CONST uint kAlphaBlend = 2u;
 
 HM_CONST uint kMaterialDoubleSided = 1u;
 HM_CONST uint kMaterialUnlit = 2u;
+// Its mesh bounds a volume (KHR_materials_volume with a thickness above 0).
+HM_CONST uint kMaterialVolume = 4u;
+// KHR_materials_pbrSpecularGlossiness: specular_color is the reflectance at normal incidence, and
+// the alpha of its texture, times one minus the roughness factor, is the glossiness.
+HM_CONST uint kMaterialGlossy = 8u;
+// The flags' bits from this on are 1 + the material's row in `extended_materials`; 0: none.
+HM_CONST uint kMaterialRowShift = 8u;
 
 // A glTF metallic-roughness material. The texture fields index the table of texture uses and are
 // never unset: a texture that the file does not give is a 1x1 default (see scene/flatten).
@@ -39,6 +46,18 @@ struct MaterialData {
     uint alpha_mode;
     uint flags;  // kMaterial*
 };
+
+// What extensions add to a material: the HM_EXTENDED_ entries of material/parameters.inl, textures
+// as indices into the table of texture uses. Only materials that use one have a row.
+struct ExtendedMaterialData {
+#define HM_EXTENDED_FACTOR(owner, key, type, member, start, low, high, below, animated, meaning) \
+    type member;
+#define HM_EXTENDED_TEXTURE(owner, key, slot, read, encoding, meaning) uint slot;
+#include "shading/material/parameters.inl"
+};
+
+// Media that a path is in are numbered by 15 bits (path/media.h), 0 is none.
+HM_CONST uint kMaxExtendedMaterials = 32767u;
 
 HM_CONST uint kWrapRepeat = 0u;
 HM_CONST uint kWrapClamp = 1u;
@@ -79,6 +98,7 @@ struct VertexExtra {
 HM_CONST uint kGeometryHasNormals = 1u;
 HM_CONST uint kGeometryHasExtras = 2u;
 HM_CONST uint kGeometryNormalMapped = 4u;  // its vertices have tangents
+HM_CONST uint kGeometryHasTangents = 8u;
 
 // One primitive of one mesh. Its vertices are reached by the hook load_triangle.
 struct GeometryData {
@@ -173,6 +193,17 @@ HM_CONST uint kStrategyBsdf = 2u;
 HM_CONST uint kAlbedoRows = 48u;
 HM_CONST uint kAlbedoColumns = 32u;
 
+// The tables of extended materials (material/energy.h).
+HM_CONST uint kSheenRows = 64u;
+HM_CONST uint kSheenColumns = 64u;
+HM_CONST uint kGlassIndices = 16u;
+HM_CONST uint kGlassRows = 20u;
+HM_CONST uint kGlassColumns = 28u;
+HM_CONST uint kAnisotropyStrengths = 8u;
+HM_CONST uint kAnisotropyRows = 12u;
+HM_CONST uint kAnisotropyAzimuths = 5u;
+HM_CONST uint kAnisotropyColumns = 20u;
+
 HM_CONST uint kDiffuseLambert = 0u;
 HM_CONST uint kDiffuseBurley = 1u;
 
@@ -199,8 +230,9 @@ struct RenderParams {
     float max_radiance;  // --clamp; 0: off
     uint strategy;       // kStrategy*
     uint energy_compensation;
-    uint diffuse_kind;  // kDiffuse*
-    uint background;    // kBackground*
+    uint diffuse_kind;        // kDiffuse*
+    uint background;          // kBackground*
+    uint extended_materials;  // 1: some material has a row in the table of that name
     vec3 background_color;
     float filter_width;  // pixels; the inverse CDF table spans -1..1 times half of it
     LightRange environment_range;

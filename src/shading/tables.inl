@@ -40,14 +40,19 @@ HM_SCENE_TABLE(6, EmitterTriangle, emitters)
 HM_SCENE_TABLE(7, AliasEntry, emitter_alias)
 HM_SCENE_TABLE(8, vec4, environment_texels)  // row 0 at the top
 HM_SCENE_TABLE(9, AliasEntry, environment_alias)
+HM_SCENE_TABLE(10, ExtendedMaterialData, extended_materials)
 
-HM_CONSTANT_TABLE(10, uint, sobol_directions, 128 * 32)
-HM_CONSTANT_TABLE(11, uvec4, sobol_nibbles, 8 * 16)
-HM_CONSTANT_TABLE(12, uint, blue_noise, 128 * 128)
-HM_CONSTANT_TABLE(13, vec2, albedo_table, kAlbedoRows * kAlbedoColumns)
-HM_CONSTANT_TABLE(14, vec2, albedo_average, kAlbedoRows)
+HM_CONSTANT_TABLE(11, uint, sobol_directions, 128 * 32)
+HM_CONSTANT_TABLE(12, uvec4, sobol_nibbles, 8 * 16)
+HM_CONSTANT_TABLE(13, uint, blue_noise, 128 * 128)
+HM_CONSTANT_TABLE(14, vec2, albedo_table, kAlbedoRows * kAlbedoColumns)
+HM_CONSTANT_TABLE(15, vec2, albedo_average, kAlbedoRows)
+HM_CONSTANT_TABLE(16, float, sheen_albedo, kSheenRows * kSheenColumns)
+HM_CONSTANT_TABLE(17, vec2, glass_albedo, 2 * kGlassIndices * kGlassRows * kGlassColumns)
+HM_CONSTANT_TABLE(18, vec2, anisotropic_albedo,
+                  kAnisotropyStrengths * kAnisotropyRows * kAnisotropyAzimuths * kAnisotropyColumns)
 
-HM_PICTURE_TABLE(15, float, filter_table, 257)
+HM_PICTURE_TABLE(19, float, filter_table, 257)
 
 #undef HM_TABLE
 #undef HM_FRAME_VALUE

@@ -22,6 +22,13 @@ HM_FN float pdf_cosine_hemisphere(float cos_theta) {
     return max(cos_theta, 0.0f) * kInvPi;
 }
 
+// Uniform on the hemisphere around +z; the density is 1 / (2 pi).
+HM_FN vec3 sample_uniform_hemisphere(float u, float v) {
+    float sine = sqrt(max(1.0f - u * u, 0.0f));
+    vec2 direction = cos_sin_2pi(v);
+    return vec3(sine * direction.x, sine * direction.y, u);
+}
+
 // Barycentric weights of the second and third vertex, uniform over the triangle (Heitz, "A
 // Low-Distortion Map Between Triangle and Square", 2019).
 HM_FN vec2 sample_triangle(float u, float v) {

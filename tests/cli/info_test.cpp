@@ -107,17 +107,20 @@ TEST_F(Info, MaterialsHaveEveryParameter) {
     const std::string file = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],
         "nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
         "materials":[{"pbrMetallicRoughness":{"roughnessFactor":0.25},"alphaCutoff":0.75,
-                      "emissiveFactor":[1,0.5,0]}],
+                      "emissiveFactor":[1,0.5,0],"extensions":{"KHR_materials_ior":{"ior":1.75}}}],
+        "extensionsUsed":["KHR_materials_ior"],
         "accessors":[{"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[0,0,0]}]})";
     const auto document = JsonDocument::parse(run(write(file, true)).text, "report").value();
     const Json material = document.root().at("/scene/materials/0").value();
     for (const MaterialFactor& factor : material_factors())
-        EXPECT_TRUE(material.has(factor.name)) << factor.name;
+        EXPECT_EQ(material.has(factor.name), !factor.extended || factor.name == "ior")
+            << factor.name;
+    EXPECT_EQ(material.number("ior").value(), 1.75f);
     EXPECT_EQ(material.number("roughness").value(), 0.25f);
     EXPECT_EQ(material.number_list("emissive_factor").value(), (std::vector<float>{1, 0.5f, 0}));
     const std::string text = run(write(file)).text;
     EXPECT_NE(text.find("0: OPAQUE, base color 1 1 1 1, metallic 1, roughness 0.25, "
-                        "emissive factor 1 0.5 0, alpha cutoff 0.75\n"),
+                        "emissive factor 1 0.5 0, alpha cutoff 0.75, ior 1.75\n"),
               std::string::npos)
         << text;
 }

@@ -40,14 +40,29 @@ constexpr std::size_t size_of() {
 
 // Structs that some stage reads from a buffer.
 const Sizes kStructs = {
-    HM_SIZE(MaterialData),  HM_SIZE(TextureUse),      HM_SIZE(Vertex),
-    HM_SIZE(VertexExtra),   HM_SIZE(GeometryData),    HM_SIZE(InstanceData),
-    HM_SIZE(LightData),     HM_SIZE(AliasEntry),      HM_SIZE(EmitterTriangle),
-    HM_SIZE(CameraData),    HM_SIZE(EnvironmentData), HM_SIZE(LightRange),
-    HM_SIZE(RenderParams),  HM_SIZE(AovParams),       HM_SIZE(GeometryAddresses),
-    HM_SIZE(TraceRange),    HM_SIZE(AovAddresses),    HM_SIZE(SampleHit),
-    HM_SIZE(TraceCounters), HM_SIZE(RecordedRay),     HM_SIZE(RecordedCounts),
+    HM_SIZE(MaterialData),
+    HM_SIZE(TextureUse),
+    HM_SIZE(Vertex),
+    HM_SIZE(VertexExtra),
+    HM_SIZE(GeometryData),
+    HM_SIZE(InstanceData),
+    HM_SIZE(LightData),
+    HM_SIZE(AliasEntry),
+    HM_SIZE(EmitterTriangle),
+    HM_SIZE(CameraData),
+    HM_SIZE(EnvironmentData),
+    HM_SIZE(LightRange),
+    HM_SIZE(RenderParams),
+    HM_SIZE(AovParams),
+    HM_SIZE(GeometryAddresses),
+    HM_SIZE(TraceRange),
+    HM_SIZE(AovAddresses),
+    HM_SIZE(SampleHit),
+    HM_SIZE(TraceCounters),
+    HM_SIZE(RecordedRay),
+    HM_SIZE(RecordedCounts),
     HM_SIZE(BareRange),
+    HM_SIZE(ExtendedMaterialData),
 };
 
 const Sizes kTables = {

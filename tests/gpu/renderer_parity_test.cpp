@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "gltf/load.h"
+#include "gpu/extended_scene.h"
 #include "gpu/odd_scene.h"
 #include "gpu/path_tracer.h"
 #include "gpu/renderers.h"
@@ -90,6 +91,18 @@ TEST(RendererParity, OddShapesAndPlacements) {
     EXPECT_EQ(duel.gpu().scene_report().duplicate_instances, 1u);
     EXPECT_EQ(duel.gpu().scene_report().degenerate_triangles, 3u);
     duel.expect_parity(make_job(scene.flat, scene.camera), "odd shapes and placements");
+}
+
+TEST(RendererParity, EveryExtension) {
+    const ExtendedScene scene;
+    Duel duel(scene.flat);
+    RenderJob job = make_job(scene.flat, scene.camera);
+    job.params.max_bounces = 12;
+    duel.expect_parity(job, "extensions");
+    job.params.energy_compensation = 0;
+    job.params.strategy = kStrategyBsdf;
+    set_light_ranges(scene.flat, job.params);
+    duel.expect_parity(job, "extensions, BSDF sampling, without compensation");
 }
 
 // Paths take the same branches, so hardly a pixel differs

@@ -21,6 +21,19 @@ struct BsdfHost {
 #include "shading/material/bsdf.h"
 };
 
+// BsdfHost with the lobes of extensions; what reads materials' tables is left out.
+struct ExtendedHost : BsdfHost {
+    using BsdfHost::BsdfHost;
+
+#include "shading/material/energy.h"
+    //
+#include "shading/material/coat.h"
+    //
+#include "shading/material/extended_specular.h"
+    //
+#include "shading/material/extended_bsdf.h"
+};
+
 struct SamplerHost {
     RenderParams params{};
 #define HM_CONSTANT_TABLE(number, Type, name, rows) const Type* name = shading_tables().name.data();

@@ -4,6 +4,7 @@
 #include "scene/flatten.h"
 #include "scene/render_params.h"
 #include "shading/shading.h"
+#include "shading/tables/tables.h"
 
 namespace hm::test {
 
@@ -12,6 +13,7 @@ struct LightHost {
     RenderParams params;
     EnvironmentData environment = flat.environment;
 #define HM_SCENE_TABLE(number, Type, name) const Type* name = flat.name.data();
+#define HM_CONSTANT_TABLE(number, Type, name, rows) const Type* name = shading_tables().name.data();
 #include "shading/tables.inl"
 
     explicit LightHost(const FlatScene& scene, uint strategy = kStrategyMis)
@@ -39,6 +41,8 @@ struct LightHost {
 #include "shading/material/textures.h"
 #include "shading/path/surface.h"
 #include "shading/material/material.h"
+#include "shading/material/bsdf.h"
+#include "shading/material/extended_lobes.h"
 #include "shading/light/light.h"
     // clang-format on
 };

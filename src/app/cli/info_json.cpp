@@ -121,7 +121,10 @@ void write_meshes(JsonWriter& json, const InfoReport& report) {
     });
 }
 
+// Factors of extensions are written where they differ from their defaults.
 void write_factor(JsonWriter& json, const MaterialFactor& factor, std::span<const float> numbers) {
+    const auto is_default = [&](float number) { return number == factor.start; };
+    if (factor.extended && std::all_of(numbers.begin(), numbers.end(), is_default)) return;
     if (factor.components == 1)
         json.field(factor.name, double(numbers[0]));
     else
@@ -132,6 +135,7 @@ void write_materials(JsonWriter& json, const Scene& scene) {
     write_list(json, "materials", scene.materials, [&](std::size_t, const Material& m) {
         json.field("name", m.name).field("alpha_mode", alpha_mode_name(m.alpha_mode));
         json.field("double_sided", m.double_sided).field("unlit", m.unlit);
+        if (m.specular_glossiness) json.field("specular_glossiness", true);
         for (const MaterialFactor& factor : material_factors())
             write_factor(json, factor, material_floats(m, factor.value));
         write_numbers(json, "emissive", m.emissive(), 3);

@@ -23,22 +23,22 @@ HM_FN float pdf_emitter(float probability, uint index, float hit_distance, float
            max(double_area * cos_light, 1e-30f);
 }
 
-// The radiance of an emitter's point, times its alpha coverage.
+// The radiance of an emitter's point at this cosine, times its alpha coverage.
 HM_FN vec3 emitter_radiance(HM_IN(EmitterTriangle) e, uint geometry, vec3 weights,
-                            HM_IN(MaterialData) m) {
+                            HM_IN(MaterialData) m, float cos_light) {
     vec2 uv0 = vec2(0.0f);
     vec2 uv1 = vec2(0.0f);
     vec4 color = vec4(1.0f);
     bool unlit = (m.flags & kMaterialUnlit) != 0u;
     bool plain = texture_uses[m.emissive_texture].image == kImageWhite &&
-                 m.alpha_mode == kAlphaOpaque && !unlit;
+                 m.alpha_mode == kAlphaOpaque && !unlit && !is_extended(m);
     if (!plain) {
         Triangle t;
         load_triangle(geometry, e.primitive, t);
         uv0 = t.a.uv0 * weights.x + t.b.uv0 * weights.y + t.c.uv0 * weights.z;
         load_extras(geometry, e.primitive, weights, uv1, color);
     }
-    vec3 radiance = emitted_radiance(m, uv0, uv1, color);
+    vec3 radiance = surface_radiance(m, uv0, uv1, color, cos_light);
     if (m.alpha_mode == kAlphaOpaque) return radiance;
     return radiance * alpha_coverage(m, base_color(m, uv0, uv1, color).w);
 }
@@ -77,5 +77,5 @@ HM_FN void sample_emitter(uint choice, uint coin, float u, float v, vec3 p,
     if (!(cos_light > 0.0f)) return;
     light.pdf = drawn.pdf * 2.0f * distance_squared / (double_area * cos_light);
     light.distance = light.distance - ray_end_error(0.0f, n, light.wi, light.distance);
-    light.radiance = emitter_radiance(e, geometry, weights, m);
+    light.radiance = emitter_radiance(e, geometry, weights, m, cos_light);
 }

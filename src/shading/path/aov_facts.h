@@ -35,3 +35,21 @@ HM_FN void note_light_sample(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, vec3 wo, ve
 HM_FN void note_scatter(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, vec3 wo, vec3 wi) {
     if (p.bounce == 0u) p.diffuse_share = diffuse_share(b, wo, wi);
 }
+
+// The same for extended materials. Glass has the colour that it tints.
+HM_FN void note_extended(HM_INOUT(PathPayload) p, vec3 albedo, float metallic, float roughness) {
+    if (p.bounce != 0u) return;
+    p.facts.albedo = min(albedo, vec3(1.0f));
+    p.facts.metallic = metallic;
+    p.facts.roughness = roughness;
+}
+
+// `diffuse` is the diffuse lobes' part of f.
+HM_FN void note_extended_light(HM_INOUT(PathPayload) p, vec3 diffuse, vec3 f, uint source) {
+    p.light_source = source;
+    if (p.bounce == 0u) p.light_diffuse_share = diffuse / max(f, vec3(1e-30f));
+}
+
+HM_FN void note_extended_scatter(HM_INOUT(PathPayload) p, HM_IN(ExtendedSample) s) {
+    if (p.bounce == 0u) p.diffuse_share = s.diffuse / max(s.weight, vec3(1e-30f));
+}

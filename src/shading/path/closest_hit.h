@@ -39,6 +39,8 @@ HM_FN void shade_scatter(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) fr
     note_scatter(p, b, wo, wi);
 }
 
+#include "shading/path/extended_hit.h"
+
 HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, vec3 direction) {
     Surface s;
     load_surface(ids, origin, direction, s);
@@ -50,21 +52,32 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
     p.weight = vec3(0.0f);
     p.light_contribution = vec3(0.0f);
     bool two_sided = (m.flags & kMaterialDoubleSided) != 0u;
-    bool passes = p.bounce == 0u && !s.front && !two_sided;
+    bool boundary = (m.flags & (kMaterialDoubleSided | kMaterialVolume)) != 0u;
+    bool passes = p.bounce == 0u && !s.front && !boundary;
     p.next_origin = s.position + s.ng * (passes ? -s.error : s.error);
     if (passes) {
         p.passed_through = 1u;
         return;
     }
     if (s.front || two_sided) {
-        p.emitted = emitted_radiance(m, s.uv0, s.uv1, s.color);
+        float cos_light = -dot(s.ng, direction);
+        p.emitted = surface_radiance(m, s.uv0, s.uv1, s.color, cos_light);
         if (p.bounce > 0u && max_component(p.emitted) > 0.0f)
-            p.emitted_pdf =
-                pdf_light_triangle(ids, s.geometry, s.hit_distance, -dot(s.ng, direction));
+            p.emitted_pdf = pdf_light_triangle(ids, s.geometry, s.hit_distance, cos_light);
+    }
+    vec3 passed = vec3(1.0f);  // by the medium along the ray
+    if (params.extended_materials != 0u) {
+        passed = transmittance(medium_before(p.media, m, s.front), s.hit_distance);
+        p.emitted = p.emitted * passed;
     }
     note_surface(p, ids, s);
     bool last = params.max_bounces != 0u && p.bounce >= params.max_bounces;
     if (last || (m.flags & kMaterialUnlit) != 0u) return;
+    if (is_extended(m)) {
+        extended_hit(p, ids, s, m, direction);
+        attenuate(p, passed);
+        return;
+    }
 
     MaterialPoint point;
     load_material(m, s, point);
@@ -83,4 +96,5 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
     uvec4 light_numbers = sample_4d(numbers, dimension + 4u);
     shade_light_sample(p, b, frame, s.ng, wo, light_numbers);
     shade_scatter(p, b, frame, s.ng, wo, scatter_numbers);
+    if (params.extended_materials != 0u) attenuate(p, passed);
 }

@@ -100,6 +100,7 @@ HM_FN void begin_path(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathState) 
     p.pixel_x = pixel_x;
     p.pixel_y = pixel_y;
     p.bounce = 0u;
+    p.media = uvec2(0u);
     // Compilers do not see that these are written before they are read.
     p.next_origin = ray.origin;
     p.next_direction = ray.direction;

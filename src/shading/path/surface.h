@@ -46,10 +46,10 @@ HM_FN void load_extras(uint geometry, uint primitive, vec3 weights, HM_OUT(vec2)
     color = e.a.color * weights.x + e.b.color * weights.y + e.c.color * weights.z;
 }
 
-// The normal map's normal in world space: 2 texel - 1, whose x and y `normal_scale` scales,
-// normalized (glTF 2.0, 3.9.3).
-HM_FN vec3 map_normal(HM_IN(MaterialData) m, HM_IN(InstanceData) instance, HM_IN(Surface) s,
-                      vec4 tangent_object) {
+// A normal map's normal in world space: 2 texel - 1, whose x and y `scale` scales, normalized (glTF
+// 2.0, 3.9.3), about the surface's ns.
+HM_FN vec3 map_normal(HM_IN(InstanceData) instance, HM_IN(Surface) s, vec4 tangent_object,
+                      vec4 texel, float scale) {
     vec3 t = transform_vector(instance.object_to_world,
                               vec3(tangent_object.x, tangent_object.y, tangent_object.z));
     t = t - s.ns * dot(s.ns, t);
@@ -58,12 +58,36 @@ HM_FN vec3 map_normal(HM_IN(MaterialData) m, HM_IN(InstanceData) instance, HM_IN
     t = t * inversesqrt(length_squared);
     float mirrored = (instance.flags & kInstanceFlipped) != 0u ? -1.0f : 1.0f;
     vec3 b = cross(s.ns, t) * (tangent_object.w * mirrored);
-    vec4 texel = read_normal(m, s.uv0, s.uv1);
     float x = 2.0f * texel.x - 1.0f;
     float y = 2.0f * texel.y - 1.0f;
     float z = 2.0f * texel.z - 1.0f;
-    vec3 n = t * (x * m.normal_scale) + b * (y * m.normal_scale) + s.ns * max(z, 1e-3f);
+    vec3 n = t * (x * scale) + b * (y * scale) + s.ns * max(z, 1e-3f);
     return normalize(n);
+}
+
+HM_FN vec4 interpolated_tangent(HM_IN(Triangle) t, vec3 weights) {
+    vec4 tangent = t.a.tangent * weights.x + t.b.tangent * weights.y + t.c.tangent * weights.z;
+    tangent.w = tangent.w < 0.0f ? -1.0f : 1.0f;
+    return tangent;
+}
+
+// The vertices' normal in world space, or ng where they have none.
+HM_FN vec3 interpolated_normal(HM_IN(InstanceData) instance, uint geometry_flags, HM_IN(Triangle) t,
+                               vec3 weights, vec3 ng) {
+    if ((geometry_flags & kGeometryHasNormals) == 0u) return ng;
+    vec3 n = t.a.normal * weights.x + t.b.normal * weights.y + t.c.normal * weights.z;
+    n = transform_normal(instance.world_to_object, n);
+    float length_squared = dot(n, n);
+    return length_squared > 1e-30f ? n * inversesqrt(length_squared) : ng;
+}
+
+// A shading normal that suits the geometry: on the wrong side of the surface it is a modelling
+// error and reflected back, then it is bent until it mirrors wo above the surface.
+HM_FN vec3 repaired_normal(vec3 ns, vec3 ng, vec3 wo) {
+    vec3 n = ns;
+    float aligned = dot(n, ng);
+    if (aligned < 0.0f) n = normalize(n - 2.0f * aligned * ng);
+    return bend_shading_normal(n, ng, wo);
 }
 
 // Intersects a ray with the plane of a triangle: barycentric weights and distance (Moeller and
@@ -106,24 +130,15 @@ HM_FN void load_surface(HM_IN(HitIds) ids, vec3 origin, vec3 direction, HM_OUT(S
     s.uv0 = t.a.uv0 * weights.x + t.b.uv0 * weights.y + t.c.uv0 * weights.z;
     load_extras(s.geometry, ids.primitive, weights, s.uv1, s.color);
 
-    s.ns = s.ng;
-    if ((geometry.flags & kGeometryHasNormals) != 0u) {
-        vec3 n = t.a.normal * weights.x + t.b.normal * weights.y + t.c.normal * weights.z;
-        n = transform_normal(instance.world_to_object, n);
-        float length_squared = dot(n, n);
-        if (length_squared > 1e-30f) s.ns = n * inversesqrt(length_squared);
-    }
+    s.ns = interpolated_normal(instance, geometry.flags, t, weights, s.ng);
     if ((geometry.flags & kGeometryNormalMapped) != 0u) {
-        vec4 tangent = t.a.tangent * weights.x + t.b.tangent * weights.y + t.c.tangent * weights.z;
-        tangent.w = tangent.w < 0.0f ? -1.0f : 1.0f;
-        s.ns = map_normal(materials[s.material], instance, s, tangent);
+        vec4 tangent = interpolated_tangent(t, weights);
+        HM_ROW(MaterialData) m = materials[s.material];
+        s.ns = map_normal(instance, s, tangent, read_normal(m, s.uv0, s.uv1), m.normal_scale);
     }
     if (!s.front) {
         s.ng = -s.ng;
         s.ns = -s.ns;
     }
-    // A shading normal on the wrong side of the surface is a modelling error: reflect it back.
-    float aligned = dot(s.ns, s.ng);
-    if (aligned < 0.0f) s.ns = normalize(s.ns - 2.0f * aligned * s.ng);
-    s.ns = bend_shading_normal(s.ns, s.ng, -direction);
+    s.ns = repaired_normal(s.ns, s.ng, -direction);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <numbers>
 
 #include "shading/rng.h"
@@ -19,6 +20,15 @@ constexpr std::uint16_t kBlueNoise[] = {
 constexpr float kAlbedo[] = {
 #include "shading/tables/albedo.inl"
 };
+constexpr float kSheenAlbedo[] = {
+#include "shading/tables/sheen_albedo.inl"
+};
+constexpr float kGlassAlbedo[] = {
+#include "shading/tables/glass_albedo.inl"
+};
+constexpr float kAnisotropicAlbedo[] = {
+#include "shading/tables/anisotropic_albedo.inl"
+};
 
 // Entry 16 p + d: what digit d at place p of a bit-reversed index adds to the bit-reversed Sobol
 // numbers of dimensions 0 to 3.
@@ -34,6 +44,13 @@ void fill_sobol_nibbles(ShadingTables& t) {
             }
             t.sobol_nibbles[16 * place + digit] = x;
         }
+}
+
+// Copies numbers to floats or to vectors of them.
+template <class Table, std::size_t kSize>
+void fill(Table& table, const float (&numbers)[kSize]) {
+    static_assert(sizeof(Table) == sizeof(numbers));
+    std::memcpy(table.data(), numbers, sizeof(numbers));
 }
 
 // Means over the hemisphere, 2 * integral of E(mu) mu dmu, of the table as it is interpolated
@@ -58,14 +75,15 @@ void fill_albedo_average(ShadingTables& t) {
 
 ShadingTables make_tables() {
     ShadingTables t{};
-    static_assert(std::size(kSobolDirections) == 128 * 32 && std::size(kBlueNoise) == 128 * 128 &&
-                  std::size(kAlbedo) == 2 * kAlbedoRows * kAlbedoColumns);
+    static_assert(std::size(kSobolDirections) == 128 * 32 && std::size(kBlueNoise) == 128 * 128);
     for (std::size_t i = 0; i < t.sobol_directions.size(); ++i)
         t.sobol_directions[i] = kSobolDirections[i];
     for (std::size_t i = 0; i < t.blue_noise.size(); ++i)
         t.blue_noise[i] = kBlueNoise[i];
-    for (std::size_t i = 0; i < t.albedo_table.size(); ++i)
-        t.albedo_table[i] = vec2(kAlbedo[2 * i], kAlbedo[2 * i + 1]);
+    fill(t.albedo_table, kAlbedo);
+    fill(t.sheen_albedo, kSheenAlbedo);
+    fill(t.glass_albedo, kGlassAlbedo);
+    fill(t.anisotropic_albedo, kAnisotropicAlbedo);
     fill_sobol_nibbles(t);
     fill_albedo_average(t);
     return t;

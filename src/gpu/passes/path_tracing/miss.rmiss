@@ -11,6 +11,8 @@ layout(location = 0) rayPayloadInEXT PathPayload path_payload;
 #include "shading/material/textures.h"
 #include "shading/path/surface.h"
 #include "shading/material/material.h"
+#include "shading/material/bsdf.h"
+#include "shading/material/extended_lobes.h"
 #include "shading/light/light.h"
 #include "shading/path/miss.h"
 

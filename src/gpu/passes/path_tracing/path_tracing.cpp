@@ -33,7 +33,7 @@ constexpr std::uint32_t kAovs = 8;
 constexpr std::uint32_t kSourceGroups = 9;
 
 // The payloads are contracts between the stages, and devices keep them in registers.
-static_assert(sizeof(PathPayload) == 116 && sizeof(ShadowPayload) == 12);
+static_assert(sizeof(PathPayload) == 124 && sizeof(ShadowPayload) == 12);
 
 constexpr std::array<rhi::Binding, 7> kTargets = {{
     {kAccumulation, rhi::DescriptorKind::storage_image},
