@@ -105,13 +105,13 @@ Result<std::vector<Material>> read_materials(const Json& root, Source& source) {
     HM_TRY_ASSIGN(const std::vector<Texture> textures, read_textures(root));
     HM_TRY_ASSIGN(const std::vector<Json> items, root.objects("materials"));
     std::vector<Material> materials;
-    std::size_t extended = 0;
+    std::size_t volumes = 0;
     for (const Json& item : items) {
         HM_TRY_ASSIGN(Material material, read_material(source, item, textures));
-        if (is_extended(material) && ++extended > kMaxExtendedMaterials)
-            return fail(ErrorKind::unsupported, source.file, item.pointer(),
-                        fmt::format("more than {} materials with extensions are not supported",
-                                    kMaxExtendedMaterials));
+        if (has_volume(material) && ++volumes > kMaxVolumes)
+            return fail(
+                ErrorKind::unsupported, source.file, item.pointer(),
+                fmt::format("more than {} materials with a volume are not supported", kMaxVolumes));
         materials.push_back(std::move(material));
     }
     return materials;

@@ -103,7 +103,8 @@ Result<void> measure_ways(GpuContext& context, const GpuScene& scene, const Scra
     const TraceRange range = first_samples(rates.several);
     const std::uint32_t height = scratch.accumulation.info().height;
     HM_TRY_ASSIGN(const PathTracingPass* paths,
-                  context.path_tracing({.settings = settings_of(params)}));
+                  context.path_tracing({.settings = settings_of(params),
+                                        .extended = scene.has_extended_materials()}));
     for (const auto& way : kWays) {
         const auto record = [&](rhi::Commands& commands) {
             paths->record(commands, scene,
@@ -134,7 +135,9 @@ Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const R
     const TraceRange first_sample = first_samples(1);
 
     TraceRates rates;
-    HM_TRY_ASSIGN(const PathTracingPass* recorder, context.path_tracing({.record = true}));
+    HM_TRY_ASSIGN(
+        const PathTracingPass* recorder,
+        context.path_tracing({.record = true, .extended = scene.has_extended_materials()}));
     HM_TRY(rhi::run_once(device, "record rays", [&](rhi::Commands& commands) -> Result<void> {
         recorder->record(
             commands, scene,
@@ -145,7 +148,9 @@ Result<TraceRates> measure_tracing(GpuContext& context, GpuScene& scene, const R
     HM_TRY(count_rays(device, rays, rates));
 
     HM_TRY_ASSIGN(const PathTracingPass* paths,
-                  context.path_tracing({.settings = settings_of(params), .reorder = reorder}));
+                  context.path_tracing({.settings = settings_of(params),
+                                        .reorder = reorder,
+                                        .extended = scene.has_extended_materials()}));
     HM_TRY_ASSIGN(rates.path_ms, median_ms(device, repeats, [&](rhi::Commands& commands) {
                       paths->record(commands, scene,
                                     {scratch.accumulation, scratch.removed, scratch.counters},

@@ -93,6 +93,7 @@ Result<void> VulkanRenderer::make_aovs(const RenderJob& job) {
     const bool with_aovs = film_->selection.needs_planes();
     PathTracingVariant variant;
     variant.aovs = with_aovs;
+    variant.extended = scene_->has_extended_materials();
     variant.settings = settings_of(job.params);
     variant.reorder = !with_aovs && device.limits().reorders_rays;
     HM_TRY_ASSIGN(pass_, context_.path_tracing(variant));

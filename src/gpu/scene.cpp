@@ -101,6 +101,7 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(rhi::Device& device, const Sc
     HM_TRY_ASSIGN(rhi::Uploader uploader, rhi::Uploader::create(device));
     std::unique_ptr<GpuScene> gpu(new GpuScene(device, std::move(uploader)));
     gpu->environment_ = scene.environment;
+    gpu->has_extended_materials_ = !scene.extended_materials.empty();
     gpu->tables_.resize(layouts.scene.bindings().size());
     HM_TRY_ASSIGN(gpu->geometry_, GpuGeometry::upload(device, gpu->uploader_, scene));
     HM_TRY_ASSIGN(gpu->textures_,

@@ -41,6 +41,7 @@ class GpuScene {
     const rhi::DescriptorSet& scene_set() const { return set_; }
     const rhi::DescriptorSet& texture_set() const { return textures_.set(); }
     const GpuSceneReport& report() const { return report_; }
+    bool has_extended_materials() const { return has_extended_materials_; }
 
   private:
     GpuScene(rhi::Device& device, rhi::Uploader uploader);
@@ -50,6 +51,7 @@ class GpuScene {
 
     rhi::Device& device_;
     EnvironmentData environment_{};
+    bool has_extended_materials_ = false;
     GpuGeometry geometry_;
     GpuTextures textures_;
     SceneStructures structures_;

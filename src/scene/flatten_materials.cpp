@@ -54,16 +54,25 @@ void add_extended_material(FlatScene& flat, const Material& m) {
     flat.extended_materials.push_back(data);
 }
 
-// 1 + the material's row in extended_materials; 0: it needs none.
-std::uint32_t row_of(FlatScene& flat, const Material& m) {
-    if (!is_extended(m)) return 0;
-    HM_CHECK(flat.extended_materials.size() < kMaxExtendedMaterials,
-             "more than {} materials with extensions", kMaxExtendedMaterials);
-    add_extended_material(flat, m);
-    return std::uint32_t(flat.extended_materials.size());
+// 1 + each material's row in extended_materials, 0 where it needs none. Volumes have the first
+// rows.
+std::vector<std::uint32_t> add_extended_materials(FlatScene& flat, const Scene& scene) {
+    std::vector<std::uint32_t> rows(scene.materials.size(), 0);
+    for (const bool volumes : {true, false}) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Material& m = scene.materials[i];
+            if (!is_extended(m) || has_volume(m) != volumes) continue;
+            add_extended_material(flat, m);
+            rows[i] = std::uint32_t(flat.extended_materials.size());
+        }
+        if (volumes)
+            HM_CHECK(flat.extended_materials.size() <= kMaxVolumes, "more than {} volumes",
+                     kMaxVolumes);
+    }
+    return rows;
 }
 
-void add_material(FlatScene& flat, const Material& m) {
+void add_material(FlatScene& flat, const Material& m, std::uint32_t row) {
     MaterialData data{};
 #define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning) \
     data.table m.member;
@@ -74,10 +83,10 @@ void add_material(FlatScene& flat, const Material& m) {
 #include "shading/material/parameters.inl"
     data.specular_weight = m.specular_weight;
     data.alpha_mode = m.alpha_mode;
-    data.flags = row_of(flat, m) << kMaterialRowShift;
+    data.flags = row << kMaterialRowShift;
     if (m.double_sided) data.flags |= kMaterialDoubleSided;
     if (m.unlit) data.flags |= kMaterialUnlit;
-    if (m.thickness > 0) data.flags |= kMaterialVolume;
+    if (has_volume(m)) data.flags |= kMaterialVolume;
     if (m.specular_glossiness) data.flags |= kMaterialGlossy;
     flat.materials.push_back(data);
 }
@@ -90,9 +99,10 @@ void flatten_materials(const Scene& scene, FlatScene& flat) {
         flat.images.push_back(
             {image.bytes().data(), image.width(), image.height(), std::uint32_t(image.format())});
     flat.texture_uses.push_back({0, 0, 0, 0, 0, vec3(1, 0, 0), vec3(0, 1, 0)});
-    for (const Material& m : scene.materials)
-        add_material(flat, m);
-    add_material(flat, Material{});
+    const std::vector<std::uint32_t> rows = add_extended_materials(flat, scene);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        add_material(flat, scene.materials[i], rows[i]);
+    add_material(flat, Material{}, 0);
 }
 
 }  // namespace hm

@@ -53,6 +53,11 @@ std::span<const float> material_floats(const Material& material, AnimatedValue v
 // HM_EXTENDED_ entry of the list is not as it starts.
 bool is_extended(const Material& material);
 
+// Whether its mesh bounds a volume, of which a scene may have kMaxVolumes.
+inline bool has_volume(const Material& material) {
+    return material.thickness > 0;
+}
+
 // The texture whose coordinates give the material's tangents, where the file has none: that of the
 // normal map, else of the coat's, else the direction of anisotropy. Null if nothing needs tangents.
 const TextureSlot* tangent_texture(const Material& material);

@@ -20,7 +20,6 @@ RenderParams make_params(const FlatScene& scene, std::uint32_t width, std::uint3
     p.diffuse_kind = s.diffuse;
     p.background = s.background;
     p.background_color = s.background_color;
-    p.extended_materials = scene.extended_materials.empty() ? 0 : 1;
     p.filter_width = s.filter_width.value_or(default_filter_width(s.filter));
     set_light_ranges(scene, p);
     return p;

@@ -11,6 +11,8 @@
 
 #ifdef __cplusplus
 
+#define HM_EXTENDED  // see material/extended_lobes.h
+
 #include <bit>
 #include <cstdint>
 #include <glm/glm.hpp>

@@ -56,8 +56,8 @@ struct ExtendedMaterialData {
 #include "shading/material/parameters.inl"
 };
 
-// Media that a path is in are numbered by 15 bits (path/media.h), 0 is none.
-HM_CONST uint kMaxExtendedMaterials = 32767u;
+// Rows of materials with a volume come first: path/media.h numbers them by ten bits, 0 is none.
+HM_CONST uint kMaxVolumes = 1023u;
 
 HM_CONST uint kWrapRepeat = 0u;
 HM_CONST uint kWrapClamp = 1u;
@@ -230,9 +230,8 @@ struct RenderParams {
     float max_radiance;  // --clamp; 0: off
     uint strategy;       // kStrategy*
     uint energy_compensation;
-    uint diffuse_kind;        // kDiffuse*
-    uint background;          // kBackground*
-    uint extended_materials;  // 1: some material has a row in the table of that name
+    uint diffuse_kind;  // kDiffuse*
+    uint background;    // kBackground*
     vec3 background_color;
     float filter_width;  // pixels; the inverse CDF table spans -1..1 times half of it
     LightRange environment_range;

@@ -5,6 +5,7 @@
 #ifdef __cplusplus
 #include "gpu/path_tracer.h"
 #else
+#define HM_EXTENDED
 #include "gpu/path_tables.glsl"
 #endif
 
@@ -91,16 +92,16 @@ HM_FN void run_bsdf(uint index, HM_INOUT(CaseResult) result) {
 }
 
 HM_FN void run_media(uint index, HM_INOUT(CaseResult) result) {
-    uvec2 media = uvec2(0u);
+    uint media = 0u;
     for (uint i = 0u; i < 6u; ++i) {
         uint medium = 1u + case_bits(index, 70u + i) % 5u;
-        if (medium_slot(media, medium) != 4u)
+        if (medium_shift(media, medium) != 30u)
             media = leave_medium(media, medium);
         else
             media = enter_medium(media, medium);
     }
     media = with_channel(media, case_bits(index, 76u) & 3u);
-    result.choices[3] = media.x ^ media.y;
+    result.choices[3] = media;
     result.values[20] = float(top_medium(media));
     result.values[21] = float(path_channel(media));
 }

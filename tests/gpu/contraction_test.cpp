@@ -10,6 +10,7 @@
 #include <string>
 
 #include "shaders/anyhit_rahit.h"
+#include "shaders/closesthit_extended.h"
 #include "shaders/closesthit_rchit.h"
 #include "shaders/miss_rmiss.h"
 #include "shaders/reference_view_rgen.h"
@@ -54,57 +55,65 @@ std::set<std::string> contracting(std::span<const std::uint32_t> spirv) {
 
 using Names = std::set<std::string>;
 
+const Names kCore = {"albedo_diffuse",
+                     "albedo_layer",
+                     "albedo_specular",
+                     "compensate_diffuse",
+                     "compensate_specular",
+                     "environment_radiance",
+                     "eval_diffuse",
+                     "eval_ggx_d",
+                     "eval_ggx_v",
+                     "eval_lobes",
+                     "eval_specular",
+                     "fetch_texel",
+                     "ggx_reflection_pdf_scale",
+                     "lookup_albedo",
+                     "luminance",
+                     "make_bsdf",
+                     "make_specular",
+                     "mis_weight",
+                     "pdf_diffuse",
+                     "pdf_specular",
+                     "shade_light_sample",
+                     "srgb_to_linear"};
+const Names kExtended = {"anisotropic_reflection_pdf_scale",
+                         "compensation",
+                         "eval_anisotropic_d",
+                         "eval_coat",
+                         "eval_extended_diffuse",
+                         "eval_extended_far",
+                         "eval_extended_ggx",
+                         "eval_extended_reflection",
+                         "eval_refraction",
+                         "eval_sheen",
+                         "eval_smith_v",
+                         "film_f0",
+                         "fresnel_between",
+                         "glass_shares",
+                         "lookup_anisotropic_albedo",
+                         "lookup_anisotropic_row",
+                         "lookup_glass_albedo",
+                         "lookup_glass_row",
+                         "lookup_sheen_albedo",
+                         "make_coat",
+                         "make_extended_base",
+                         "make_extended_bsdf",
+                         "reflected_fresnel",
+                         "set_extended_probabilities",
+                         "shade_extended_light",
+                         "stretched_length",
+                         "thin_film_fresnel",
+                         "transmittance"};
+
+Names both(Names a, const Names& b) {
+    a.insert(b.begin(), b.end());
+    return a;
+}
+
 TEST(Contraction, OnlyWhereItWeighsPaths) {
-    EXPECT_EQ(contracting(shaders::closesthit_rchit()), (Names{"albedo_diffuse",
-                                                               "albedo_layer",
-                                                               "albedo_specular",
-                                                               "anisotropic_reflection_pdf_scale",
-                                                               "compensate_diffuse",
-                                                               "compensate_specular",
-                                                               "compensation",
-                                                               "environment_radiance",
-                                                               "eval_anisotropic_d",
-                                                               "eval_coat",
-                                                               "eval_diffuse",
-                                                               "eval_extended_diffuse",
-                                                               "eval_extended_far",
-                                                               "eval_extended_ggx",
-                                                               "eval_extended_reflection",
-                                                               "eval_ggx_d",
-                                                               "eval_ggx_v",
-                                                               "eval_lobes",
-                                                               "eval_refraction",
-                                                               "eval_sheen",
-                                                               "eval_smith_v",
-                                                               "eval_specular",
-                                                               "fetch_texel",
-                                                               "film_f0",
-                                                               "fresnel_between",
-                                                               "ggx_reflection_pdf_scale",
-                                                               "glass_shares",
-                                                               "lookup_albedo",
-                                                               "lookup_anisotropic_albedo",
-                                                               "lookup_anisotropic_row",
-                                                               "lookup_glass_albedo",
-                                                               "lookup_glass_row",
-                                                               "lookup_sheen_albedo",
-                                                               "luminance",
-                                                               "make_bsdf",
-                                                               "make_coat",
-                                                               "make_extended_base",
-                                                               "make_extended_bsdf",
-                                                               "make_specular",
-                                                               "mis_weight",
-                                                               "pdf_diffuse",
-                                                               "pdf_specular",
-                                                               "reflected_fresnel",
-                                                               "set_extended_probabilities",
-                                                               "shade_extended_light",
-                                                               "shade_light_sample",
-                                                               "srgb_to_linear",
-                                                               "stretched_length",
-                                                               "thin_film_fresnel",
-                                                               "transmittance"}));
+    EXPECT_EQ(contracting(shaders::closesthit_rchit()), kCore);
+    EXPECT_EQ(contracting(shaders::closesthit_extended()), both(kCore, kExtended));
     EXPECT_EQ(contracting(shaders::miss_rmiss()), Names{"environment_radiance"});
     EXPECT_EQ(contracting(shaders::reference_view_rgen()),
               (Names{"add_contribution", "connect_path", "luminance", "mis_weight", "scatter_path",

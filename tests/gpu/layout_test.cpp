@@ -14,6 +14,7 @@
 #include "gpu/tables.h"
 #include "shaders/anyhit_rahit.h"
 #include "shaders/bare_trace_rgen.h"
+#include "shaders/closesthit_extended.h"
 #include "shaders/closesthit_rchit.h"
 #include "shaders/miss_rmiss.h"
 #include "shaders/reference_view_aovs.h"
@@ -81,7 +82,7 @@ std::vector<std::span<const std::uint32_t>> modules() {
     return {shaders::reference_view_rgen(), shaders::closesthit_rchit(),
             shaders::miss_rmiss(),          shaders::anyhit_rahit(),
             shaders::reference_view_aovs(), shaders::reference_view_record(),
-            shaders::bare_trace_rgen()};
+            shaders::bare_trace_rgen(),     shaders::closesthit_extended()};
 }
 
 TEST(Layout, StructsLieAsInCpp) {

@@ -13,8 +13,6 @@ layout(scalar, binding = 1) readonly buffer Run { uint sample_count; };
 void main() {
     uint pixel = gl_GlobalInvocationID.x;
     if (pixel >= params.width * params.height) return;
-    // No scene drawn here has any. Compilers see that and leave their lobes out, which take minutes.
-    params.extended_materials = 0u;
     vec4 sum = vec4(0.0f);
     for (uint i = 0u; i < sample_count; ++i) {
         PathSample s;

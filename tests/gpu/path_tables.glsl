@@ -3,14 +3,11 @@
 #include "gpu/world_triangle.h"
 #include "shading/shading.h"
 
-#define params frame_params
 layout(scalar, binding = 2) readonly buffer Settings {
 #define HM_FRAME_VALUE(Type, name) Type name;
 #include "shading/tables.inl"
     uint world_triangle_count;
 };
-#undef params
-RenderParams params = frame_params;
 layout(scalar, binding = 3) readonly buffer SceneVertices { Vertex scene_vertices[]; };
 layout(scalar, binding = 4) readonly buffer SceneExtras { VertexExtra scene_extras[]; };
 layout(scalar, binding = 5) readonly buffer SceneTriangles { uvec3 scene_triangles[]; };

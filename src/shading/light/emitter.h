@@ -31,7 +31,10 @@ HM_FN vec3 emitter_radiance(HM_IN(EmitterTriangle) e, uint geometry, vec3 weight
     vec4 color = vec4(1.0f);
     bool unlit = (m.flags & kMaterialUnlit) != 0u;
     bool plain = texture_uses[m.emissive_texture].image == kImageWhite &&
-                 m.alpha_mode == kAlphaOpaque && !unlit && !is_extended(m);
+                 m.alpha_mode == kAlphaOpaque && !unlit;
+#ifdef HM_EXTENDED
+    plain = plain && !is_extended(m);
+#endif
     if (!plain) {
         Triangle t;
         load_triangle(geometry, e.primitive, t);

@@ -4,7 +4,7 @@
 // Tables: extended_materials, texture_uses.
 
 HM_FN bool is_extended(HM_IN(MaterialData) m) {
-    return params.extended_materials != 0u && (m.flags >> kMaterialRowShift) != 0u;
+    return (m.flags >> kMaterialRowShift) != 0u;
 }
 
 HM_FN uint extended_row(HM_IN(MaterialData) m) {
@@ -56,9 +56,8 @@ HM_FN void load_extended(HM_IN(MaterialData) m, HM_IN(ExtendedMaterialData) x,
                                             t.diffuse_transmission_color.z);
 }
 
-// The share of a surface's emission that passes its coat.
+// The share of an extended surface's emission that passes its coat.
 HM_FN float coat_passage(HM_IN(MaterialData) m, vec2 uv0, vec2 uv1, float cos_theta) {
-    if (!is_extended(m)) return 1.0f;
     HM_ROW(ExtendedMaterialData) x = extended_materials[extended_row(m)];
     if (!(x.clearcoat > 0.0f)) return 1.0f;
     float weight = x.clearcoat * sample_texture(x.clearcoat_texture, kEncodingLinear, uv0, uv1).x;
@@ -71,6 +70,6 @@ HM_FN float coat_passage(HM_IN(MaterialData) m, vec2 uv0, vec2 uv1, float cos_th
 HM_FN vec3 surface_radiance(HM_IN(MaterialData) m, vec2 uv0, vec2 uv1, vec4 color,
                             float cos_theta) {
     vec3 emitted = emitted_radiance(m, uv0, uv1, color);
-    if (params.extended_materials == 0u) return emitted;
-    return emitted * coat_passage(m, uv0, uv1, cos_theta);
+    if (is_extended(m)) emitted = emitted * coat_passage(m, uv0, uv1, cos_theta);
+    return emitted;
 }

@@ -19,7 +19,7 @@
 //
 // HM_EXTENDED_FACTOR and HM_EXTENDED_TEXTURE are the same for extensions that add lobes or media. Their
 // values are members of ExtendedMaterialData under the same names, so they have no column `table`; instead of
-// `read` they have the member of ExtendedTexels (material/textures.h). Where they are not defined, they count
+// `read` they have the member of ExtendedTexels (material/extended_textures.h). Where they are not defined, they count
 // as HM_FACTOR and HM_TEXTURE. An owner may be a path: an object within an
 // extension.
 #ifndef HM_FACTOR

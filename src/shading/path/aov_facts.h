@@ -36,6 +36,7 @@ HM_FN void note_scatter(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, vec3 wo, vec3 wi
     if (p.bounce == 0u) p.diffuse_share = diffuse_share(b, wo, wi);
 }
 
+#ifdef HM_EXTENDED
 // The same for extended materials. Glass has the colour that it tints.
 HM_FN void note_extended(HM_INOUT(PathPayload) p, vec3 albedo, float metallic, float roughness) {
     if (p.bounce != 0u) return;
@@ -53,3 +54,4 @@ HM_FN void note_extended_light(HM_INOUT(PathPayload) p, vec3 diffuse, vec3 f, ui
 HM_FN void note_extended_scatter(HM_INOUT(PathPayload) p, HM_IN(ExtendedSample) s) {
     if (p.bounce == 0u) p.diffuse_share = s.diffuse / max(s.weight, vec3(1e-30f));
 }
+#endif

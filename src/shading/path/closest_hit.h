@@ -39,7 +39,9 @@ HM_FN void shade_scatter(HM_INOUT(PathPayload) p, HM_IN(Bsdf) b, HM_IN(Frame) fr
     note_scatter(p, b, wo, wi);
 }
 
+#ifdef HM_EXTENDED
 #include "shading/path/extended_hit.h"
+#endif
 
 HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, vec3 direction) {
     Surface s;
@@ -65,19 +67,20 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
         if (p.bounce > 0u && max_component(p.emitted) > 0.0f)
             p.emitted_pdf = pdf_light_triangle(ids, s.geometry, s.hit_distance, cos_light);
     }
-    vec3 passed = vec3(1.0f);  // by the medium along the ray
-    if (params.extended_materials != 0u) {
-        passed = transmittance(medium_before(p.media, m, s.front), s.hit_distance);
-        p.emitted = p.emitted * passed;
-    }
+#ifdef HM_EXTENDED
+    vec3 passed = transmittance(medium_before(p.media, m, s.front), s.hit_distance);
+    p.emitted = p.emitted * passed;
+#endif
     note_surface(p, ids, s);
     bool last = params.max_bounces != 0u && p.bounce >= params.max_bounces;
     if (last || (m.flags & kMaterialUnlit) != 0u) return;
+#ifdef HM_EXTENDED
     if (is_extended(m)) {
         extended_hit(p, ids, s, m, direction);
         attenuate(p, passed);
         return;
     }
+#endif
 
     MaterialPoint point;
     load_material(m, s, point);
@@ -96,5 +99,7 @@ HM_FN void closest_hit(HM_INOUT(PathPayload) p, HM_IN(HitIds) ids, vec3 origin, 
     uvec4 light_numbers = sample_4d(numbers, dimension + 4u);
     shade_light_sample(p, b, frame, s.ng, wo, light_numbers);
     shade_scatter(p, b, frame, s.ng, wo, scatter_numbers);
-    if (params.extended_materials != 0u) attenuate(p, passed);
+#ifdef HM_EXTENDED
+    attenuate(p, passed);
+#endif
 }

@@ -1,64 +1,58 @@
 // The media that a path is inside: a stack of volumes that it entered and has not left
-// (KHR_materials_volume), in four slots of 15 bits, and its channel once it was dispersed.
+// (KHR_materials_volume), in three slots of ten bits, and its channel once it was dispersed.
 //
 // Overlapping volumes: what was entered last counts. A path that leaves another volume than that
 // crosses no boundary. So a glass of water, with the water's mesh reaching into the glass, has one
 // boundary between water and glass. A path that leaves a volume it never entered (the camera is
-// inside) was in that volume all along. The fifth volume makes a path forget the first.
+// inside) was in that volume all along. The fourth volume makes a path forget the first.
 //
 // Tables: materials' rows in extended_materials.
 
-HM_CONST uint kMediumMask = 32767u;
+HM_CONST uint kMediumBits = 10u;
+HM_CONST uint kChannelShift = 30u;
 
 // 1 + the row of the volume entered last; 0: none.
-HM_FN uint top_medium(uvec2 media) {
-    return media.x & kMediumMask;
+HM_FN uint top_medium(uint media) {
+    return media & kMaxVolumes;
 }
 
 // No channel yet: 0; then 1 to 3, red to blue.
-HM_FN uint path_channel(uvec2 media) {
-    return media.y >> 30u;
+HM_FN uint path_channel(uint media) {
+    return media >> kChannelShift;
 }
 
-HM_FN uvec2 with_channel(uvec2 media, uint channel) {
-    return uvec2(media.x, (media.y & 0x3fffffffu) | (channel << 30u));
+HM_FN uint with_channel(uint media, uint channel) {
+    return (media & 0x3fffffffu) | (channel << kChannelShift);
 }
 
-HM_FN uvec2 enter_medium(uvec2 media, uint medium) {
-    uint x = (media.x << 15u) | medium;
-    uint y = (media.y << 15u) | ((media.x >> 15u) & kMediumMask);
-    return uvec2(x & 0x3fffffffu, (y & 0x3fffffffu) | (media.y & 0xc0000000u));
+HM_FN uint enter_medium(uint media, uint medium) {
+    return with_channel((media << kMediumBits) | medium, path_channel(media));
 }
 
-// The slot of a medium, counted from the top; 4: the path is not inside it.
-HM_FN uint medium_slot(uvec2 media, uint medium) {
-    if ((media.x & kMediumMask) == medium) return 0u;
-    if (((media.x >> 15u) & kMediumMask) == medium) return 1u;
-    if ((media.y & kMediumMask) == medium) return 2u;
-    return ((media.y >> 15u) & kMediumMask) == medium ? 3u : 4u;
+// The first bit of a medium's slot; 30: the path is not inside it.
+HM_FN uint medium_shift(uint media, uint medium) {
+    if ((media & kMaxVolumes) == medium) return 0u;
+    if (((media >> kMediumBits) & kMaxVolumes) == medium) return kMediumBits;
+    return ((media >> (2u * kMediumBits)) & kMaxVolumes) == medium ? 2u * kMediumBits : 30u;
 }
 
 // Closes the gap that the medium leaves.
-HM_FN uvec2 leave_medium(uvec2 media, uint medium) {
-    uint slot = medium_slot(media, medium);
-    uint channel = media.y & 0xc0000000u;
-    uint third = media.y & kMediumMask;
-    uint fourth = (media.y >> 15u) & kMediumMask;
-    if (slot == 4u) return media;
-    if (slot == 3u) return uvec2(media.x, third | channel);
-    if (slot == 2u) return uvec2(media.x, fourth | channel);
-    uint first = slot == 0u ? (media.x >> 15u) & kMediumMask : media.x & kMediumMask;
-    return uvec2(first | (third << 15u), fourth | channel);
+HM_FN uint leave_medium(uint media, uint medium) {
+    uint shift = medium_shift(media, medium);
+    if (shift == 30u) return media;
+    uint above = media & ((1u << shift) - 1u);
+    uint below = ((media & 0x3fffffffu) >> (shift + kMediumBits)) << shift;
+    return with_channel(above | below, path_channel(media));
 }
 
 // What the ray that ends on this surface went through.
-HM_FN uint medium_before(uvec2 media, HM_IN(MaterialData) m, bool front) {
+HM_FN uint medium_before(uint media, HM_IN(MaterialData) m, bool front) {
     if (front || (m.flags & kMaterialVolume) == 0u) return top_medium(media);
     uint medium = extended_row(m) + 1u;
-    return medium_slot(media, medium) == 4u ? medium : top_medium(media);
+    return medium_shift(media, medium) == 30u ? medium : top_medium(media);
 }
 
-HM_FN uvec2 media_beyond(uvec2 media, HM_IN(MaterialData) m, bool front) {
+HM_FN uint media_beyond(uint media, HM_IN(MaterialData) m, bool front) {
     if ((m.flags & kMaterialVolume) == 0u) return media;
     uint medium = extended_row(m) + 1u;
     return front ? enter_medium(media, medium) : leave_medium(media, medium);

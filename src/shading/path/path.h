@@ -11,7 +11,6 @@
 #include "shading/material/extended_lobes.h"
 #include "shading/light/light.h"
 #include "shading/path/any_hit.h"
-#include "shading/path/media.h"
 #include "shading/path/closest_hit.h"
 #include "shading/path/miss.h"
 #include "shading/path/steps.h"

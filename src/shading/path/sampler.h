@@ -46,8 +46,8 @@ HM_FN void begin_sample(uint pixel_x, uint pixel_y, uint index, HM_OUT(SamplerSt
 
 // The state that the path began with, from what its payload keeps of it.
 HM_FN void resume_sample(HM_IN(PathPayload) p, HM_OUT(SamplerState) s) {
-    s.pixel_x = p.pixel_x;
-    s.pixel_y = p.pixel_y;
+    s.pixel_x = p.pixel & 65535u;
+    s.pixel_y = p.pixel >> 16u;
     s.index = p.index;
 #ifdef HM_AOVS
     s.replicate = p.replicate;

@@ -97,10 +97,9 @@ HM_FN void begin_path(uint pixel_x, uint pixel_y, uint index, HM_OUT(PathState) 
     path.pdf_bsdf = 0.0f;
     path.alpha_key = begin_alpha_key(numbers, index);
     p.index = numbers.index;
-    p.pixel_x = pixel_x;
-    p.pixel_y = pixel_y;
+    p.pixel = pixel_x | (pixel_y << 16u);
     p.bounce = 0u;
-    p.media = uvec2(0u);
+    p.media = 0u;
     // Compilers do not see that these are written before they are read.
     p.next_origin = ray.origin;
     p.next_direction = ray.direction;

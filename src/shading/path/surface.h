@@ -74,11 +74,14 @@ HM_FN vec4 interpolated_tangent(HM_IN(Triangle) t, vec3 weights) {
 // The vertices' normal in world space, or ng where they have none.
 HM_FN vec3 interpolated_normal(HM_IN(InstanceData) instance, uint geometry_flags, HM_IN(Triangle) t,
                                vec3 weights, vec3 ng) {
-    if ((geometry_flags & kGeometryHasNormals) == 0u) return ng;
-    vec3 n = t.a.normal * weights.x + t.b.normal * weights.y + t.c.normal * weights.z;
-    n = transform_normal(instance.world_to_object, n);
-    float length_squared = dot(n, n);
-    return length_squared > 1e-30f ? n * inversesqrt(length_squared) : ng;
+    vec3 ns = ng;
+    if ((geometry_flags & kGeometryHasNormals) != 0u) {
+        vec3 n = t.a.normal * weights.x + t.b.normal * weights.y + t.c.normal * weights.z;
+        n = transform_normal(instance.world_to_object, n);
+        float length_squared = dot(n, n);
+        if (length_squared > 1e-30f) ns = n * inversesqrt(length_squared);
+    }
+    return ns;
 }
 
 // A shading normal that suits the geometry: on the wrong side of the surface it is a modelling

@@ -48,12 +48,11 @@ struct HitFacts {
 // Ray generation writes the first block, closest hit or miss the rest and, where the path enters or
 // leaves one, the media. Both payloads begin with `key` and `index`, which any-hit reads.
 struct PathPayload {
-    uint key;    // of this ray's stochastic alpha
-    uint index;  // of the sample; with AOVs, within its replicate's sequence
-    uint pixel_x;
-    uint pixel_y;
+    uint key;     // of this ray's stochastic alpha
+    uint index;   // of the sample; with AOVs, within its replicate's sequence
+    uint pixel;   // x | y << 16
     uint bounce;  // scattering events before this ray; 0: a camera ray
-    uvec2 media;  // that the ray is in (path/media.h)
+    uint media;   // that the ray is in (path/media.h)
 #ifdef HM_AOVS
     uint replicate;
 #endif

@@ -15,7 +15,6 @@ layout(location = 0) rayPayloadInEXT PathPayload path_payload;
 #include "shading/material/bsdf.h"
 #include "shading/material/extended_lobes.h"
 #include "shading/light/light.h"
-#include "shading/path/media.h"
 #include "shading/path/closest_hit.h"
 
 void main() {

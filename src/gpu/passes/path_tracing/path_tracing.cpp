@@ -9,6 +9,8 @@
 #include "shaders/anyhit_aovs.h"
 #include "shaders/anyhit_rahit.h"
 #include "shaders/closesthit_aovs.h"
+#include "shaders/closesthit_extended.h"
+#include "shaders/closesthit_extended_aovs.h"
 #include "shaders/closesthit_rchit.h"
 #include "shaders/miss_aovs.h"
 #include "shaders/miss_rmiss.h"
@@ -33,7 +35,7 @@ constexpr std::uint32_t kAovs = 8;
 constexpr std::uint32_t kSourceGroups = 9;
 
 // The payloads are contracts between the stages, and devices keep them in registers.
-static_assert(sizeof(PathPayload) == 124 && sizeof(ShadowPayload) == 12);
+static_assert(sizeof(PathPayload) == 116 && sizeof(ShadowPayload) == 12);
 
 constexpr std::array<rhi::Binding, 7> kTargets = {{
     {kAccumulation, rhi::DescriptorKind::storage_image},
@@ -57,13 +59,17 @@ rhi::RayTracingPipelineInfo pipeline_info(const PathTracingVariant& variant) {
     info.name = "path tracing";
     info.ray_generation = shaders::reference_view_rgen();
     info.misses = {shaders::miss_rmiss(), shaders::shadow_miss_rmiss()};
-    info.hit_groups = {{shaders::closesthit_rchit(), shaders::anyhit_rahit()},
-                       {{}, shaders::shadow_anyhit()}};
+    info.hit_groups = {
+        {variant.extended ? shaders::closesthit_extended() : shaders::closesthit_rchit(),
+         shaders::anyhit_rahit()},
+        {{}, shaders::shadow_anyhit()}};
     if (variant.aovs) {
         info.name += ", AOVs";
         info.ray_generation = shaders::reference_view_aovs();
         info.misses[0] = shaders::miss_aovs();
-        info.hit_groups[0] = {shaders::closesthit_aovs(), shaders::anyhit_aovs()};
+        info.hit_groups[0] = {
+            variant.extended ? shaders::closesthit_extended_aovs() : shaders::closesthit_aovs(),
+            shaders::anyhit_aovs()};
     } else if (variant.record) {
         info.name += ", recorded";
         info.ray_generation = shaders::reference_view_record();

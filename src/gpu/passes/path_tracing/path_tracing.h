@@ -24,6 +24,8 @@ struct PathTracingVariant {
     bool record = false;
     // Samples are also added to a film's AOV planes.
     bool aovs = false;
+    // The scene has extended materials (shading/material/extended_lobes.h).
+    bool extended = false;
     auto operator<=>(const PathTracingVariant&) const = default;
 };
 

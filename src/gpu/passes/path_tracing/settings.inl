@@ -9,7 +9,6 @@ HM_SETTING(3, strategy)
 HM_SETTING(4, energy_compensation)
 HM_SETTING(5, diffuse_kind)
 HM_SETTING(6, background)
-HM_SETTING(7, extended_materials)
 
 #undef HM_SETTING
 #undef HM_SETTING_OR_ZERO
