@@ -78,6 +78,7 @@ const Names kCore = {"albedo_diffuse",
                      "shade_light_sample",
                      "srgb_to_linear"};
 const Names kExtended = {"anisotropic_reflection_pdf_scale",
+                         "colored_shares",
                          "compensation",
                          "eval_anisotropic_d",
                          "eval_coat",

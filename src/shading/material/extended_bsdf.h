@@ -57,10 +57,10 @@ HM_FN void make_extended_base(HM_IN(MaterialPoint) m, HM_IN(ExtendedPoint) p, ve
     if (!(b.specular.glass > 0.0f)) return;
     b.specular.glass_f0 = film_f0(p, dielectric_f0(p, normal_reflectance(b.specular.eta)), wo.z);
     b.specular.glass_f90 = vec3(f90);
-    glass = glass_shares(b.specular, wo, e.x + e.y);
+    vec2 shares = glass_shares(b.specular, wo, e.x + e.y);
     if (params.energy_compensation != 0u)
-        b.specular.glass = b.specular.glass / max(glass.x + glass.y, 1e-3f);
-    glass = glass * b.specular.glass;
+        b.specular.glass = b.specular.glass / max(shares.x + shares.y, 1e-3f);
+    glass = colored_shares(b.specular, shares, e.x + e.y) * b.specular.glass;
 }
 
 HM_FN void set_extended_probabilities(vec2 mirrored, vec2 glass, float sheen,

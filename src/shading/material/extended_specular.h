@@ -76,6 +76,18 @@ HM_FN vec2 glass_shares(HM_IN(ExtendedSpecular) lobe, vec3 wo, float mirrored) {
     return shares;
 }
 
+// The same with the lobe's own ends of the Fresnel curve, colour and film included: what directions
+// are drawn by.
+HM_FN vec2 colored_shares(HM_IN(ExtendedSpecular) lobe, vec2 shares, float mirrored) {
+    HM_MAY_CONTRACT
+    float r0 = normal_reflectance(lobe.eta);
+    float f0 = luminance(lobe.glass_f0);
+    float grazing = max(shares.x - r0 * mirrored, 0.0f) / max(1.0f - r0, 1e-6f);
+    float both = shares.x + shares.y;
+    float reflected = clamp(f0 * mirrored + (lobe.glass_f90.x - f0) * grazing, 0.0f, both);
+    return vec2(reflected, both - reflected);
+}
+
 // The glass's Fresnel factor at a microfacet.
 HM_FN vec3 glass_fresnel(HM_IN(ExtendedSpecular) lobe, float cos_d) {
     float cos_t;

@@ -310,6 +310,26 @@ TEST(Extended, ThinFilmsHaveTheColourOfASpectralComputation) {
     RecordProperty("largest_error", std::to_string(worst));
 }
 
+// A film on nothing (the lens of SunglassesKhronos: ior 1): its reflection must be drawn, though
+// the boundary without the film reflects nothing. The near side's mean is the film's reflectance.
+TEST(Extended, FilmsOnAirReflect) {
+    ExtendedHost host(true);
+    Look look{"film", plain()};
+    look.point.transmission = 1;
+    look.point.ior = look.eta = 1;
+    look.point.iridescence = 1;
+    look.point.iridescence_ior = 2;
+    look.point.iridescence_thickness = 300;
+    const vec3 wo = direction(0.8f, 0.3f);
+    const auto b = make(host, look, 0, wo);
+    const vec3 exact = thin_film_fresnel(2, 300, vec3(0), 0.8f);
+    EXPECT_GT(exact.y, 0.05f);
+    ExtendedHost::ExtendedSample s;
+    host.sample_extended(b, false, wo, 0.5f, 0.5f, 0.5f, s);
+    for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(s.weight[k] * (1 - b.transmits), exact[k], 1e-3f);
+}
+
 TEST(Extended, AFilmThatVanishesLeavesItsBase) {
     const vec3 f0(0.04f, 0.5f, 0.9f);
     const vec3 f = thin_film_fresnel(1.3f, 0, f0, 0.7f);
