@@ -121,6 +121,12 @@ Result<void> check_asset(const Json& root) {
     return {};
 }
 
+Result<std::string> generator_of(const Json& root) {
+    HM_TRY_ASSIGN(const Json asset, root.required("asset", root.object("asset")));
+    HM_TRY_ASSIGN(const auto text, asset.text("generator"));
+    return std::string(text.value_or(""));
+}
+
 Result<void> check_extensions(const JsonDocument& document, Source& source) {
     const Json& root = document.root();
     HM_TRY_ASSIGN(const auto required, root.texts("extensionsRequired"));

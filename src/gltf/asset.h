@@ -16,6 +16,9 @@ bool is_supported(std::string_view extension);
 
 Result<void> check_asset(const Json& root);
 
+// asset.generator, empty if absent.
+Result<std::string> generator_of(const Json& root);
+
 // Fails if the file requires an unsupported extension; warns of unsupported ones it only uses.
 Result<void> check_extensions(const JsonDocument& document, Source& source);
 

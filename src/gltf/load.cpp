@@ -60,6 +60,7 @@ Result<Scene> load(std::span<const std::byte> bytes, const std::filesystem::path
 
     Scene scene;
     scene.file = file;
+    HM_TRY_ASSIGN(scene.generator, generator_of(root));
     HM_TRY_ASSIGN(scene.materials, read_materials(root, source));
     HM_TRY_ASSIGN(scene.meshes, read_meshes(root, source, scene.materials));
     HM_TRY_ASSIGN(scene.images, read_images(root, source, scene.materials, used_materials(scene)));

@@ -25,7 +25,7 @@ FlatScene flatten(const Scene& scene, EnvironmentMap environment, LightChoice ch
     flatten_geometries(scene, flat);
     flatten_instances(scene, world, flat, diagnostics);
     warn_of_lost_directions(scene, world, diagnostics);
-    if (choice.punctual) flatten_lights(scene, world, flat);
+    if (choice.punctual) flatten_lights(scene, world, choice.punctual_scale, flat);
     find_light_surfaces(flat);
     if (choice.emitters) add_emitters(flat);
     if (flat.environment.intensity > 0) {

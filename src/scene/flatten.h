@@ -66,7 +66,8 @@ struct FlatScene : SceneTables {
 // Which of the scene's light sources are used.
 struct LightChoice {
     bool punctual = true;
-    bool emitters = true;  // false: emission is still visible, but not sampled (no NEE)
+    float punctual_scale = 1;  // of their intensities
+    bool emitters = true;      // false: emission is still visible, but not sampled (no NEE)
 };
 
 // Upper limit on the power of a single light (luminance times area), so that sums stay finite.

@@ -62,10 +62,12 @@ void add_instance(FlatScene& flat, const Scene& scene, InstanceOrigin origin,
     flat.instance_origins.push_back(origin);
 }
 
-// kGeometryNormalMapped and kGeometryHasTangents, as the material needs them.
+// kGeometryNormalMapped and kGeometryHasTangents, as the material needs them. Anisotropy that an
+// animation raised from 0 may find no tangents; then its direction is any.
 std::uint32_t tangent_flags(const Scene& scene, const Primitive& p, const std::string& mesh) {
     const Material& material = scene.materials[std::size_t(p.material)];
-    if (tangent_texture(material) == nullptr) return 0;
+    const TextureSlot* slot = tangent_texture(material);
+    if (slot == nullptr || (slot == &material.anisotropy_texture && !p.has_tangents)) return 0;
     HM_CHECK(p.has_tangents, "mesh \"{}\": prepare_tangents was not called", mesh);
     const bool mapped = material.normal_texture.image != kUnset;
     return kGeometryHasTangents | (mapped ? kGeometryNormalMapped : 0u);

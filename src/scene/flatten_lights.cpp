@@ -9,13 +9,13 @@
 namespace hm {
 namespace {
 
-LightData light_data(const Light& light, const glm::mat4& world) {
+LightData light_data(const Light& light, float scale, const glm::mat4& world) {
     LightData d{};
     d.kind = light.kind;
     d.position = vec3(world[3]);
     vec3 axis = -vec3(world[2]);
     d.direction = has_direction(world) ? normalize(axis) : vec3(0, 0, -1);
-    d.color = light.color * light.intensity;
+    d.color = light.color * (light.intensity * scale);
     d.range = light.range;
     float cos_outer = std::cos(light.outer_cone);
     d.spot_scale = 1.0f / std::max(0.001f, std::cos(light.inner_cone) - cos_outer);
@@ -37,7 +37,8 @@ void warn_of_lost_directions(const Scene& scene, const std::vector<glm::dmat4>& 
     }
 }
 
-void flatten_lights(const Scene& scene, const std::vector<glm::dmat4>& world, FlatScene& flat) {
+void flatten_lights(const Scene& scene, const std::vector<glm::dmat4>& world, float scale,
+                    FlatScene& flat) {
     constexpr float pi = std::numbers::pi_v<float>;
     const float radius = float(scene_radius(flat.bounds));
     const float disk = pi * radius * radius;
@@ -46,7 +47,7 @@ void flatten_lights(const Scene& scene, const std::vector<glm::dmat4>& world, Fl
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         if (scene.nodes[i].light == kUnset || !visible[i]) continue;
         const Light& light = scene.lights[std::size_t(scene.nodes[i].light)];
-        const LightData d = light_data(light, glm::mat4(world[i]));
+        const LightData d = light_data(light, scale, glm::mat4(world[i]));
         const float cos_outer = std::cos(light.outer_cone);
         if (!(luminance(d.color) > 0)) continue;
         float extent = light.kind == kLightDirectional ? disk

@@ -18,8 +18,9 @@ void flatten_geometries(const Scene& scene, FlatScene& flat);
 void flatten_instances(const Scene& scene, const std::vector<glm::dmat4>& world, FlatScene& flat,
                        Diagnostics& diagnostics);
 
-// lights, light_alias and punctual_power.
-void flatten_lights(const Scene& scene, const std::vector<glm::dmat4>& world, FlatScene& flat);
+// lights, light_alias and punctual_power. `scale` multiplies intensities.
+void flatten_lights(const Scene& scene, const std::vector<glm::dmat4>& world, float scale,
+                    FlatScene& flat);
 
 // Warns about cameras and directional or spot lights whose transform degenerates their direction.
 void warn_of_lost_directions(const Scene& scene, const std::vector<glm::dmat4>& world,

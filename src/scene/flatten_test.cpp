@@ -263,5 +263,15 @@ TEST(Camera, NodesLookDownTheirNegativeZ) {
     EXPECT_NEAR(c.half_width, 1.5f * std::tan(0.5f), 1e-6f);
 }
 
+TEST(Flatten, PunctualLightsAreScaled) {
+    test::SceneBuilder b;
+    Light lamp;
+    lamp.intensity = 683;
+    b.light(lamp);
+    EXPECT_EQ(test::flatten_quietly(b.scene).lights[0].color, vec3(683));
+    const FlatScene scaled = test::flatten_quietly(b.scene, {}, {.punctual_scale = 0.5f});
+    EXPECT_EQ(scaled.lights[0].color, vec3(341.5f));
+}
+
 }  // namespace
 }  // namespace hm

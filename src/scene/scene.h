@@ -121,8 +121,9 @@ struct Node {
 };
 
 struct Scene {
-    std::string file;  // for messages
-    std::string hash;  // of the file and all files that it references (base/hash.h)
+    std::string file;       // for messages
+    std::string generator;  // asset.generator, empty if absent
+    std::string hash;       // of the file and all files that it references (base/hash.h)
     // What is rendered has world coordinates relative to this point of the file's world space.
     // Skinned vertices are relative to it too, so scene/origin sets it before posing.
     glm::dvec3 origin{0};

@@ -4,6 +4,7 @@
 #include "base/choice.h"
 #include "denoise/denoise.h"
 #include "image/layers.h"
+#include "session/settings.h"
 #include "shading/color.h"
 #include "shading/structs.h"
 #include "shading/tables/tables.h"
@@ -40,6 +41,9 @@ inline constexpr Choice<DenoiseDevice> kDenoiseDevices[] = {{"auto", DenoiseDevi
                                                             {"cuda", DenoiseDevice::cuda},
                                                             {"hip", DenoiseDevice::hip},
                                                             {"sycl", DenoiseDevice::sycl}};
+
+inline constexpr Choice<LightUnits> kLightUnits[] = {{"gltf", LightUnits::gltf},
+                                                     {"blender", LightUnits::blender}};
 
 inline constexpr Choice<bool> kSwitches[] = {{"on", true}, {"off", false}};
 

@@ -58,6 +58,7 @@ void add_light(Writer& out, const LightSettings& light, const PathSettings& path
                               ? "transparent"
                               : text_of(path.background_color));
     out.add("punctual", name_of(kSwitches, light.punctual));
+    out.add("light-units", name_of(kLightUnits, light.units));
     out.add("strategy", name_of(kStrategies, path.strategy));
 }
 

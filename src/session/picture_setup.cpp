@@ -22,6 +22,10 @@ Result<RenderJob> make_job(const RenderSettings& settings, const Scene& scene,
     return job;
 }
 
+float light_scale(const LightSettings& light) {
+    return light.units == LightUnits::blender ? 1 / 683.0f : 1.0f;
+}
+
 }  // namespace
 
 Result<PictureSetup> set_up_picture(const RenderSettings& settings, Scene& scene,
@@ -31,7 +35,9 @@ Result<PictureSetup> set_up_picture(const RenderSettings& settings, Scene& scene
     HM_TRY_ASSIGN(const auto next_pose, record_next_pose(settings, scene, pose));
     if (pose) HM_TRY(pose_scene(scene, pose));
     setup.flat = flatten(scene, std::move(environment.map),
-                         LightChoice{.punctual = settings.light.punctual}, diagnostics);
+                         LightChoice{.punctual = settings.light.punctual,
+                                     .punctual_scale = light_scale(settings.light)},
+                         diagnostics);
     HM_TRY_ASSIGN(const CameraChoice camera,
                   choose_camera(settings.view, scene, setup.flat.bounds, settings.frame.aspect()));
     setup.aovs = prepare_aovs(settings, scene, setup.flat, next_pose);
@@ -41,6 +47,9 @@ Result<PictureSetup> set_up_picture(const RenderSettings& settings, Scene& scene
     setup.summary.view = view_of(camera.data, scene.origin);
     setup.summary.scene = scene_stats(scene, setup.flat);
     setup.summary.scene_hash = scene.hash;
+    setup.summary.mixes_light_units = settings.light.units == LightUnits::gltf &&
+                                      !setup.flat.lights.empty() && !setup.flat.emitters.empty() &&
+                                      scene.generator.find("Blender") != scene.generator.npos;
     return setup;
 }
 

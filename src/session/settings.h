@@ -69,12 +69,19 @@ enum class EnvironmentKind {
     file,
 };
 
+// What the intensities of a file's punctual lights are.
+enum class LightUnits {
+    gltf,     // as they are, in the unit of emission
+    blender,  // its exporter multiplied them by 683 lm/W, and emission not (light mode "Standard")
+};
+
 struct LightSettings {
     EnvironmentKind environment = EnvironmentKind::automatic;
     std::filesystem::path environment_file;
     float environment_rotation = 0;  // degrees about the vertical axis
     float environment_intensity = 1;
     bool punctual = true;
+    LightUnits units = LightUnits::gltf;
 };
 
 // The layers of a picture besides the beauty, and how .exr files store them.

@@ -41,6 +41,8 @@ struct RenderSummary {
     double removed_luminance = 0, mean_luminance = 0;  // by the clamp, and what is left
     std::optional<double> estimated_error;             // see film/variance.h
     std::string scene_hash;
+    // Blender's exporter wrote both lamps and emission, in units that may differ (LightUnits).
+    bool mixes_light_units = false;
     std::string denoiser;               // empty: not denoised
     std::uint64_t replaced_pixels = 0;  // by the denoiser, not finite
     bool interrupted = false;

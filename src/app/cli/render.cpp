@@ -36,6 +36,10 @@ void note_defaults(Progress& progress, const RenderSettings& settings,
             "for black)");
     if (summary.camera == "framing" && settings.view.camera != kNoCamera)
         progress.note("the file has no usable camera: framing the whole scene (see --eye)");
+    if (summary.mixes_light_units)
+        progress.note(
+            "Blender's exporter multiplies lamps by 683 and emission not; --light-units blender "
+            "draws them as Blender does");
 }
 
 DrawHooks hooks(const RenderOptions& options, Progress& progress) {

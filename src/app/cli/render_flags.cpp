@@ -182,6 +182,10 @@ void add_checks(CLI::App& app, RenderSettings& s) {
         "have the same mean");
     add(app, "--punctual", "on|off", s.light.punctual, one_of(kSwitches),
         "off: as if the file had no punctual lights (on)");
+    add(app, "--light-units", "UNITS", s.light.units, one_of(kLightUnits),
+        "blender: punctual lights were multiplied by 683 lm/W and emission was not, as Blender's "
+        "exporter does in light mode Standard; they are divided by it. gltf: as they are (the "
+        "default)");
 }
 
 // Under one heading of the help text.
