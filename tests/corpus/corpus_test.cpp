@@ -80,6 +80,7 @@ TEST(BrokenFiles, AreRefusedOrToleratedAsExpected) {
         EXPECT_TRUE(text.empty()) << c.file << " (" << c.rule << ")\n  " << text << "\n  expected "
                                   << name_of(c.expected.kind.value_or(ErrorKind::internal)) << ", "
                                   << c.expected.pointer << ": " << c.expected.message
+                                  << (c.expected.reason.empty() ? "" : "; because ")
                                   << c.expected.reason;
     }
 }
