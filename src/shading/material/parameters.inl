@@ -18,9 +18,9 @@
 //   encoding  kEncoding* of its colour channels
 //
 // HM_EXTENDED_FACTOR and HM_EXTENDED_TEXTURE are the same for extensions that add lobes or media. Their
-// values are members of ExtendedMaterialData under the same names, so they have no column `table`; instead of
-// `read` they have the member of ExtendedTexels (material/extended_textures.h). Where they are not defined, they count
-// as HM_FACTOR and HM_TEXTURE. An owner may be a path: an object within an
+// values are members of ExtendedMaterialData under the same names, so they have no column `table`;
+// instead of `read` they have the member of ExtendedTexels (material/extended_textures.h). Where they are
+// not defined, they count as HM_FACTOR and HM_TEXTURE. An owner may be a path: an object within an
 // extension.
 #ifndef HM_FACTOR
 #define HM_FACTOR(owner, key, type, member, start, low, high, below, animated, table, meaning)
@@ -57,46 +57,50 @@ HM_FACTOR("occlusionTexture", "strength", float, occlusion_strength, 1.0f, 0.0f,
 
 HM_EXTENDED_FACTOR("KHR_materials_specular", "specularFactor", float, specular, 1.0f, 0.0f, 1.0f,
                    kClamp, true, "strength of the dielectric's reflection")
-HM_EXTENDED_FACTOR("KHR_materials_specular", "specularColorFactor", vec3, specular_color, 1.0f, 0.0f, kNoLimit,
-                   kClamp, true, "colour of its reflection at normal incidence")
-HM_EXTENDED_FACTOR("KHR_materials_ior", "ior", float, ior, 1.5f, 0.0f, kNoLimit,
-                   kClamp, true, "index of refraction; 0: reflects everything")
+HM_EXTENDED_FACTOR("KHR_materials_specular", "specularColorFactor", vec3, specular_color, 1.0f, 0.0f,
+                   kNoLimit, kClamp, true, "colour of its reflection at normal incidence")
+HM_EXTENDED_FACTOR("KHR_materials_ior", "ior", float, ior, 1.5f, 0.0f, kNoLimit, kClamp, true,
+                   "index of refraction; 0: reflects everything")
 HM_EXTENDED_FACTOR("KHR_materials_clearcoat", "clearcoatFactor", float, clearcoat, 0.0f, 0.0f, 1.0f,
                    kClamp, true, "strength of the coat")
-HM_EXTENDED_FACTOR("KHR_materials_clearcoat", "clearcoatRoughnessFactor", float, clearcoat_roughness, 0.0f, 0.0f, 1.0f,
-                   kClamp, true, "square root of the coat's alpha")
-HM_EXTENDED_FACTOR("KHR_materials_clearcoat/clearcoatNormalTexture", "scale", float, clearcoat_normal_scale, 1.0f, -kNoLimit, kNoLimit,
-                   kClamp, true, "scales the x and y of the coat's normal map")
+HM_EXTENDED_FACTOR("KHR_materials_clearcoat", "clearcoatRoughnessFactor", float, clearcoat_roughness,
+                   0.0f, 0.0f, 1.0f, kClamp, true, "square root of the coat's alpha")
+HM_EXTENDED_FACTOR("KHR_materials_clearcoat/clearcoatNormalTexture", "scale", float,
+                   clearcoat_normal_scale, 1.0f, -kNoLimit, kNoLimit, kClamp, true,
+                   "scales the x and y of the coat's normal map")
 HM_EXTENDED_FACTOR("KHR_materials_sheen", "sheenColorFactor", vec3, sheen_color, 0.0f, 0.0f, 1.0f,
                    kClamp, true, "colour of cloth fibres")
-HM_EXTENDED_FACTOR("KHR_materials_sheen", "sheenRoughnessFactor", float, sheen_roughness, 0.0f, 0.0f, 1.0f,
-                   kClamp, true, "square root of the fibres' alpha")
-HM_EXTENDED_FACTOR("KHR_materials_anisotropy", "anisotropyStrength", float, anisotropy, 0.0f, 0.0f, 1.0f,
-                   kClamp, true, "stretches the highlight")
-HM_EXTENDED_FACTOR("KHR_materials_anisotropy", "anisotropyRotation", float, anisotropy_rotation, 0.0f, -kNoLimit, kNoLimit,
-                   kClamp, true, "radians from the tangent, counter-clockwise")
-HM_EXTENDED_FACTOR("KHR_materials_iridescence", "iridescenceFactor", float, iridescence, 0.0f, 0.0f, 1.0f,
-                   kClamp, true, "strength of the thin film")
-HM_EXTENDED_FACTOR("KHR_materials_iridescence", "iridescenceIor", float, iridescence_ior, 1.3f, 1.0f, kNoLimit,
-                   kClamp, true, "index of the film")
-HM_EXTENDED_FACTOR("KHR_materials_iridescence", "iridescenceThicknessMinimum", float, iridescence_thickness_minimum, 100.0f, 0.0f, kNoLimit,
-                   kClamp, true, "nanometres where the texture is 0")
-HM_EXTENDED_FACTOR("KHR_materials_iridescence", "iridescenceThicknessMaximum", float, iridescence_thickness_maximum, 400.0f, 0.0f, kNoLimit,
-                   kClamp, true, "nanometres where the texture is 1, or without one")
-HM_EXTENDED_FACTOR("KHR_materials_transmission", "transmissionFactor", float, transmission, 0.0f, 0.0f, 1.0f,
-                   kClamp, true, "share of the diffuse base that is glass")
+HM_EXTENDED_FACTOR("KHR_materials_sheen", "sheenRoughnessFactor", float, sheen_roughness, 0.0f, 0.0f,
+                   1.0f, kClamp, true, "square root of the fibres' alpha")
+HM_EXTENDED_FACTOR("KHR_materials_anisotropy", "anisotropyStrength", float, anisotropy, 0.0f, 0.0f,
+                   1.0f, kClamp, true, "stretches the highlight")
+HM_EXTENDED_FACTOR("KHR_materials_anisotropy", "anisotropyRotation", float, anisotropy_rotation, 0.0f,
+                   -kNoLimit, kNoLimit, kClamp, true, "radians from the tangent, counter-clockwise")
+HM_EXTENDED_FACTOR("KHR_materials_iridescence", "iridescenceFactor", float, iridescence, 0.0f, 0.0f,
+                   1.0f, kClamp, true, "strength of the thin film")
+HM_EXTENDED_FACTOR("KHR_materials_iridescence", "iridescenceIor", float, iridescence_ior, 1.3f, 1.0f,
+                   kNoLimit, kClamp, true, "index of the film")
+HM_EXTENDED_FACTOR("KHR_materials_iridescence", "iridescenceThicknessMinimum", float,
+                   iridescence_thickness_minimum, 100.0f, 0.0f, kNoLimit, kClamp, true,
+                   "nanometres where the texture is 0")
+HM_EXTENDED_FACTOR("KHR_materials_iridescence", "iridescenceThicknessMaximum", float,
+                   iridescence_thickness_maximum, 400.0f, 0.0f, kNoLimit, kClamp, true,
+                   "nanometres where the texture is 1, or without one")
+HM_EXTENDED_FACTOR("KHR_materials_transmission", "transmissionFactor", float, transmission, 0.0f, 0.0f,
+                   1.0f, kClamp, true, "share of the diffuse base that is glass")
 HM_EXTENDED_FACTOR("KHR_materials_volume", "thicknessFactor", float, thickness, 0.0f, 0.0f, kNoLimit,
                    kClamp, true, "above 0: the mesh bounds a volume; 0: thin walls")
-HM_EXTENDED_FACTOR("KHR_materials_volume", "attenuationDistance", float, attenuation_distance, kNoLimit, 0.0f, kNoLimit,
-                   kRefuse, true, "metres after which white light has attenuationColor")
-HM_EXTENDED_FACTOR("KHR_materials_volume", "attenuationColor", vec3, attenuation_color, 1.0f, 0.0f, 1.0f,
-                   kClamp, true, "what is left of white light there")
+HM_EXTENDED_FACTOR("KHR_materials_volume", "attenuationDistance", float, attenuation_distance, kNoLimit,
+                   0.0f, kNoLimit, kRefuse, true, "metres after which white light has attenuationColor")
+HM_EXTENDED_FACTOR("KHR_materials_volume", "attenuationColor", vec3, attenuation_color, 1.0f, 0.0f,
+                   1.0f, kClamp, true, "what is left of white light there")
 HM_EXTENDED_FACTOR("KHR_materials_dispersion", "dispersion", float, dispersion, 0.0f, 0.0f, kNoLimit,
                    kClamp, true, "20 / Abbe number")
-HM_EXTENDED_FACTOR("KHR_materials_diffuse_transmission", "diffuseTransmissionFactor", float, diffuse_transmission, 0.0f, 0.0f, 1.0f,
-                   kClamp, true, "share of diffuse light that passes through")
-HM_EXTENDED_FACTOR("KHR_materials_diffuse_transmission", "diffuseTransmissionColorFactor", vec3, diffuse_transmission_color, 1.0f, 0.0f, 1.0f,
-                   kClamp, true, "colour of that light")
+HM_EXTENDED_FACTOR("KHR_materials_diffuse_transmission", "diffuseTransmissionFactor", float,
+                   diffuse_transmission, 0.0f, 0.0f, 1.0f, kClamp, true,
+                   "share of diffuse light that passes through")
+HM_EXTENDED_FACTOR("KHR_materials_diffuse_transmission", "diffuseTransmissionColorFactor", vec3,
+                   diffuse_transmission_color, 1.0f, 0.0f, 1.0f, kClamp, true, "colour of that light")
 
 HM_TEXTURE("pbrMetallicRoughness", "baseColorTexture", base_color_texture, read_base_color,
            kEncodingSrgb, "RGB colour, A alpha")
@@ -111,30 +115,32 @@ HM_TEXTURE("", "emissiveTexture", emissive_texture, read_emissive, kEncodingSrgb
 
 HM_EXTENDED_TEXTURE("KHR_materials_specular", "specularTexture", specular_texture, specular,
                     kEncodingLinear, "A strength")
-HM_EXTENDED_TEXTURE("KHR_materials_specular", "specularColorTexture", specular_color_texture, specular_color,
-                    kEncodingSrgb, "RGB colour")
+HM_EXTENDED_TEXTURE("KHR_materials_specular", "specularColorTexture", specular_color_texture,
+                    specular_color, kEncodingSrgb, "RGB colour")
 HM_EXTENDED_TEXTURE("KHR_materials_clearcoat", "clearcoatTexture", clearcoat_texture, clearcoat,
                     kEncodingLinear, "R strength")
-HM_EXTENDED_TEXTURE("KHR_materials_clearcoat", "clearcoatRoughnessTexture", clearcoat_roughness_texture, clearcoat_roughness,
-                    kEncodingLinear, "G roughness")
-HM_EXTENDED_TEXTURE("KHR_materials_clearcoat", "clearcoatNormalTexture", clearcoat_normal_texture, clearcoat_normal,
-                    kEncodingLinear, "RGB tangent-space normal of the coat")
+HM_EXTENDED_TEXTURE("KHR_materials_clearcoat", "clearcoatRoughnessTexture", clearcoat_roughness_texture,
+                    clearcoat_roughness, kEncodingLinear, "G roughness")
+HM_EXTENDED_TEXTURE("KHR_materials_clearcoat", "clearcoatNormalTexture", clearcoat_normal_texture,
+                    clearcoat_normal, kEncodingLinear, "RGB tangent-space normal of the coat")
 HM_EXTENDED_TEXTURE("KHR_materials_sheen", "sheenColorTexture", sheen_color_texture, sheen_color,
                     kEncodingSrgb, "RGB colour")
-HM_EXTENDED_TEXTURE("KHR_materials_sheen", "sheenRoughnessTexture", sheen_roughness_texture, sheen_roughness,
-                    kEncodingLinear, "A roughness")
+HM_EXTENDED_TEXTURE("KHR_materials_sheen", "sheenRoughnessTexture", sheen_roughness_texture,
+                    sheen_roughness, kEncodingLinear, "A roughness")
 HM_EXTENDED_TEXTURE("KHR_materials_anisotropy", "anisotropyTexture", anisotropy_texture, anisotropy,
                     kEncodingLinear, "RG direction, B strength")
 HM_EXTENDED_TEXTURE("KHR_materials_iridescence", "iridescenceTexture", iridescence_texture, iridescence,
                     kEncodingLinear, "R strength")
-HM_EXTENDED_TEXTURE("KHR_materials_iridescence", "iridescenceThicknessTexture", iridescence_thickness_texture, iridescence_thickness,
-                    kEncodingLinear, "G thickness between its limits")
-HM_EXTENDED_TEXTURE("KHR_materials_transmission", "transmissionTexture", transmission_texture, transmission,
-                    kEncodingLinear, "R share")
-HM_EXTENDED_TEXTURE("KHR_materials_diffuse_transmission", "diffuseTransmissionTexture", diffuse_transmission_texture, diffuse_transmission,
-                    kEncodingLinear, "A share")
-HM_EXTENDED_TEXTURE("KHR_materials_diffuse_transmission", "diffuseTransmissionColorTexture", diffuse_transmission_color_texture, diffuse_transmission_color,
-                    kEncodingSrgb, "RGB colour")
+HM_EXTENDED_TEXTURE("KHR_materials_iridescence", "iridescenceThicknessTexture",
+                    iridescence_thickness_texture, iridescence_thickness, kEncodingLinear,
+                    "G thickness between its limits")
+HM_EXTENDED_TEXTURE("KHR_materials_transmission", "transmissionTexture", transmission_texture,
+                    transmission, kEncodingLinear, "R share")
+HM_EXTENDED_TEXTURE("KHR_materials_diffuse_transmission", "diffuseTransmissionTexture",
+                    diffuse_transmission_texture, diffuse_transmission, kEncodingLinear, "A share")
+HM_EXTENDED_TEXTURE("KHR_materials_diffuse_transmission", "diffuseTransmissionColorTexture",
+                    diffuse_transmission_color_texture, diffuse_transmission_color, kEncodingSrgb,
+                    "RGB colour")
 
 #undef HM_FACTOR
 #undef HM_TEXTURE
