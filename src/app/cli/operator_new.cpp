@@ -3,7 +3,7 @@
 // (docs/decisions/0012-memory-in-huge-pages.md).
 #include "app/cli/operator_new.h"
 
-#if defined(__linux__)
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)  // a sanitizer brings its own
 #include <sys/mman.h>
 
 #include <algorithm>
